@@ -1,0 +1,125 @@
+#include "apps/gnomon/command_line.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <iostream>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "apps/gnomon/text.h"
+#include "geometry/scene/scene_reader.h"
+
+namespace gnomon {
+namespace {
+
+std::optional<double> finite_number(std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+/// Number of letters to insert, delete or replace.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, replaced}));
+    }
+  }
+  return row.back();
+}
+
+/// xmin,ymin,zmin,xmax,ymax,zmax, or xmin,ymin,xmax,ymax in the plane, where z runs from 0 to 0.
+Box3 box_from_text(std::string_view text, std::size_t dimension) {
+  const std::string start = "--box " + std::string(text) + ": ";
+  const std::vector<std::string_view> fields = comma_separated(text);
+  if (fields.size() != 2 * dimension) {
+    throw UsageError(start + "expected " + (dimension == 2 ? "xmin,ymin,xmax,ymax" : "xmin,ymin,zmin,xmax,ymax,zmax") +
+                     ", but found " + counted(fields.size(), "number"));
+  }
+  std::array<double, 3> min{};
+  std::array<double, 3> max{};
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const auto value = finite_number(fields[i]);
+    if (!value) throw UsageError(start + "expected a finite number, but found '" + std::string(fields[i]) + "'");
+    (i < dimension ? min[i] : max[i - dimension]) = *value;
+  }
+  for (std::size_t axis = 0; axis < dimension; ++axis) {
+    if (!(min[axis] < max[axis]))
+      throw UsageError(start + "the minimum of " + "xyz"[axis] + " is not below its maximum");
+  }
+  return {{min[0], min[1], min[2]}, {max[0], max[1], max[2]}};
+}
+
+}  // namespace
+
+CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& text, const std::string& type,
+                      const std::string& help) {
+  // An empty text is a variable that a script forgot to set, not a wish for the default.
+  const auto refuse_empty = [](const std::string& value) { return std::string(value.empty() ? "is empty" : ""); };
+  return app.add_option(name, text, help)->type_name(type)->check(refuse_empty);
+}
+
+void add_pair_options(CLI::App& app, CommonOptions& options) {
+  add_text(app, "--box", options.box, "xmin,ymin,zmin,xmax,ymax,zmax",
+           "Cut unbounded volumes by this box (default: the scene's, grown by half its diagonal)");
+  add_text(app, "--light", options.light, "NAME", "Only the pairs of this light");
+  add_text(app, "--blocker", options.blocker, "NAME", "Only the pairs of this blocker");
+  app.add_option("--threads", options.threads, "Number of threads (default: one per processor)")
+      ->type_name("N")
+      ->check(CLI::Range(1U, 1024U, "1 to 1024"));
+  add_quiet_option(app, options);
+}
+
+void add_json_option(CLI::App& app, CommonOptions& options) {
+  add_text(app, "--json", options.json, "FILE",
+           "Write the result as JSON; '-' writes it to stdout, and nothing else there");
+}
+
+void add_quiet_option(CLI::App& app, CommonOptions& options) {
+  app.add_flag("--quiet", options.quiet, "No summary and no progress; warnings and errors only");
+}
+
+bool parse_arguments(CLI::App& app, Arguments arguments) {
+  app.set_help_flag("-h,--help", "Print this text");
+  // Looked for before parsing, so that help is given even where a required option is missing.
+  const auto asks_for_help = [](const std::string& word) { return word == "-h" || word == "--help"; };
+  if (std::any_of(arguments.begin(), arguments.end(), asks_for_help)) {
+    std::cout << app.help();
+    return false;
+  }
+  std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // the order CLI11 asks for
+  app.parse(std::move(reversed));
+  return true;
+}
+
+Box3 clip_box(const Scene& scene, const std::string& box_option) {
+  if (!box_option.empty()) return box_from_text(box_option, scene.dimension == 2 ? 2 : 3);
+  if (const auto box = default_clip_box(scene)) return *box;
+  throw SceneError(scene.source +
+                   ": the scene has no finite bounding box with an interior; give a clip box with --box");
+}
+
+std::vector<std::string_view> comma_separated(std::string_view text) {
+  std::vector<std::string_view> fields;
+  for (std::size_t comma = text.find(','); comma != std::string_view::npos; comma = text.find(',')) {
+    fields.push_back(text.substr(0, comma));
+    text.remove_prefix(comma + 1);
+  }
+  fields.push_back(text);
+  return fields;
+}
+
+std::string_view nearest_word(std::string_view word, std::span<const std::string_view> candidates) {
+  return *std::min_element(candidates.begin(), candidates.end(),
+                           [word](auto a, auto b) { return edit_distance(word, a) < edit_distance(word, b); });
+}
+
+}  // namespace gnomon

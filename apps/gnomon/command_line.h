@@ -1,0 +1,59 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "apps/gnomon/commands.h"
+#include "geometry/point.h"
+#include "geometry/scene/scene.h"
+
+namespace gnomon {
+
+/// The options that the commands have in common; each takes those that mean something to it.
+struct CommonOptions {
+  std::string scene;     ///< file name; empty if not given
+  std::string box;       ///< as written, see clip_box; empty if not given
+  std::string light;     ///< empty: every light
+  std::string blocker;   ///< empty: every blocker
+  std::string json;      ///< file name, "-" for stdout, empty for none
+  unsigned threads = 0;  ///< 0: as many as there are processors
+  bool quiet = false;
+};
+
+/// Adds an option or positional argument with a text that must not be empty; `type` is how help calls the text.
+CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& text, const std::string& type,
+                      const std::string& help);
+
+/// Adds --box, --light, --blocker, --threads and --quiet.
+void add_pair_options(CLI::App& app, CommonOptions& options);
+
+/// Adds --json.
+void add_json_option(CLI::App& app, CommonOptions& options);
+
+/// Adds --quiet alone.
+void add_quiet_option(CLI::App& app, CommonOptions& options);
+
+/// Reads the arguments into the variables that the options of `app` are bound to.
+///
+/// Returns: false if help was asked for; it has been printed, and nothing else is to be done.
+/// Throws:  CLI::ParseError.
+bool parse_arguments(CLI::App& app, Arguments arguments);
+
+/// The box that cuts a scene's volumes: the one given with --box, or else the scene's default.
+///
+/// Throws: UsageError unless --box holds two finite numbers per dimension, each minimum below its maximum;
+///         SceneError if the scene has no default box.
+Box3 clip_box(const Scene& scene, const std::string& box_option);
+
+/// The items of a list like "a,b,c".
+std::vector<std::string_view> comma_separated(std::string_view text);
+
+/// The candidate that differs from `word` by the fewest letters.
+///
+/// Requires: at least one candidate.
+std::string_view nearest_word(std::string_view word, std::span<const std::string_view> candidates);
+
+}  // namespace gnomon

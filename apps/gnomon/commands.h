@@ -1,0 +1,42 @@
+#pragma once
+
+#include <span>
+#include <stdexcept>
+#include <string>
+
+namespace gnomon {
+
+/// What the program tells the shell.
+enum class ExitCode {
+  done = 0,
+  failure = 1,      ///< something went wrong while running
+  usage = 2,        ///< the command line makes no sense
+  bad_scene = 3,    ///< a scene (or result) is missing or wrong
+  unsupported = 4,  ///< nothing of what was asked for is supported
+};
+
+/// The command line makes no sense; what() says why.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// What was asked for makes sense, but this version cannot do it; what() names it.
+class UnsupportedError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The words that follow the command's name.
+using Arguments = std::span<const std::string>;
+
+/// `gnomon shadow`: the shadow volumes of every pair of a scene, as files and as JSON.
+ExitCode shadow_command(Arguments arguments);
+
+/// `gnomon check`: what a scene file holds, what is doubtful about it, and which pairs are supported.
+ExitCode check_command(Arguments arguments);
+
+/// `gnomon render`: a picture of a scene or of a folder written by `gnomon shadow`.
+ExitCode render_command(Arguments arguments);
+
+}  // namespace gnomon

@@ -1,0 +1,88 @@
+#include "apps/gnomon/recognised_elements.h"
+
+#include <variant>
+
+namespace gnomon {
+namespace {
+
+/// One element from the shape of a light or blocker; the name is added by the caller.
+struct Recognise {
+  RecognisedElement operator()(const PointLight&) const { return plain("point", 1); }
+  RecognisedElement operator()(const DirectionalLight&) const { return plain("direction", std::nullopt); }
+  RecognisedElement operator()(const LinearLight&) const { return plain("segment", 2); }
+  RecognisedElement operator()(const AreaLight& light) const {
+    RecognisedElement element = plain("polygon", light.polygon.points().size());
+    element.two_sided = light.two_sided;
+    return element;
+  }
+  RecognisedElement operator()(const ConvexPolygon& polygon) const { return plain("polygon", polygon.points().size()); }
+  RecognisedElement operator()(const Polytope& polytope) const { return plain("polytope", polytope.vertices.size()); }
+  RecognisedElement operator()(const ConcavePolygon& polygon) const {
+    return plain("concave_polygon", polygon.vertices.size());
+  }
+  RecognisedElement operator()(const Mesh& mesh) const {
+    RecognisedElement element = plain("mesh", mesh.vertices.size());
+    element.facets = mesh.facets.size();
+    element.closed = mesh.closed;
+    return element;
+  }
+
+  static RecognisedElement plain(std::string shape, std::optional<std::size_t> vertices) {
+    RecognisedElement element;
+    element.shape = std::move(shape);
+    element.vertices = vertices;
+    return element;
+  }
+};
+
+Strength strength(const std::string& shape, double value) {
+  if (shape == "polygon") return {"radiance", value, "W/(m^2 sr)"};
+  if (shape == "segment") return {"intensity_per_length", value, "W/(sr m)"};
+  if (shape == "point") return {"intensity", value, "W/sr"};
+  return {"irradiance", value, "W/m^2"};
+}
+
+RecognisedElement recognised(const SceneLight& light) {
+  RecognisedElement element = std::visit(Recognise{}, light.shape);
+  element.strength = strength(element.shape, light.strength);
+  return element;
+}
+
+RecognisedElement recognised(const SceneBlocker& blocker) {
+  return std::visit(Recognise{}, blocker.shape);
+}
+
+RecognisedElement recognised(const SceneReceiver& receiver) {
+  return Recognise{}(receiver.shape);
+}
+
+RecognisedElement recognised(const PlanarLight& light) {
+  RecognisedElement element = Recognise::plain(light.vertices.size() == 1 ? "point" : "segment", light.vertices.size());
+  element.strength = strength(element.shape, light.strength);
+  return element;
+}
+
+RecognisedElement recognised(const PlanarBlocker& blocker) {
+  return Recognise::plain(blocker.vertices.size() == 2 ? "segment" : "polyline", blocker.vertices.size());
+}
+
+template <class Element>
+std::vector<RecognisedElement> recognised(const std::vector<Element>& elements) {
+  std::vector<RecognisedElement> list;
+  for (const Element& element : elements) {
+    list.push_back(recognised(element));
+    list.back().name = element.name;
+  }
+  return list;
+}
+
+}  // namespace
+
+RecognisedElements recognised_elements(const Scene& scene) {
+  if (scene.dimension == 2) {
+    return {recognised(scene.planar_lights), recognised(scene.planar_blockers), recognised(scene.planar_receivers)};
+  }
+  return {recognised(scene.lights), recognised(scene.blockers), recognised(scene.receivers)};
+}
+
+}  // namespace gnomon

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/scene/scene.h"
+
+namespace gnomon {
+
+/// How strongly a light shines: the key of the scene file, the number, and its SI unit.
+struct Strength {
+  std::string quantity;
+  double value = 1;
+  std::string unit;
+};
+
+/// What was recognised of one light, blocker or receiver.
+struct RecognisedElement {
+  std::string name;
+  std::string shape;                    ///< as in the scene file
+  std::optional<std::size_t> vertices;  ///< all but directions
+  std::optional<std::size_t> facets;    ///< meshes only
+  std::optional<bool> closed;           ///< meshes only
+  std::optional<bool> two_sided;        ///< polygon lights only
+  std::optional<Strength> strength;     ///< lights only
+};
+
+struct RecognisedElements {
+  std::vector<RecognisedElement> lights;
+  std::vector<RecognisedElement> blockers;
+  std::vector<RecognisedElement> receivers;
+};
+
+/// Every element of a scene, in file order, in either dimension.
+RecognisedElements recognised_elements(const Scene& scene);
+
+}  // namespace gnomon

@@ -1,0 +1,90 @@
+#include "apps/gnomon/scene_pairs.h"
+
+#include <algorithm>
+#include <string_view>
+#include <variant>
+
+#include "apps/gnomon/commands.h"
+
+namespace gnomon {
+namespace {
+
+template <class Element>
+void require_name(const std::string& option, const std::string& kind, const std::string& name,
+                  const std::vector<Element>& elements) {
+  const auto has_name = [&name](const Element& element) { return element.name == name; };
+  if (name.empty() || std::any_of(elements.begin(), elements.end(), has_name)) return;
+  std::string known;
+  for (const Element& element : elements) known += (known.empty() ? "'" : ", '") + element.name + "'";
+  throw UsageError(option + ": the scene has no " + kind + " '" + name + "'; it has " +
+                   (known.empty() ? "none" : known));
+}
+
+/// Why nothing is computed for a light of this shape, or empty.
+std::string light_reason(const Light& light) {
+  if (std::holds_alternative<DirectionalLight>(light)) return "lights of shape direction are not supported yet";
+  const auto* area = std::get_if<AreaLight>(&light);
+  if (area && !area->polygon.is_flat()) return "lights whose vertices are not exactly coplanar are not supported yet";
+  return {};
+}
+
+/// Why nothing is computed for a blocker of this shape, or empty.
+std::string blocker_reason(const BlockerShape& shape) {
+  if (std::holds_alternative<Polytope>(shape)) return "blockers of shape polytope are not supported yet";
+  if (std::holds_alternative<ConcavePolygon>(shape)) return "blockers of shape concave_polygon are not supported yet";
+  if (std::holds_alternative<Mesh>(shape)) return "blockers of shape mesh are not supported yet";
+  if (!std::get<ConvexPolygon>(shape).is_flat()) {
+    return "blockers whose vertices are not exactly coplanar are not supported yet";
+  }
+  return {};
+}
+
+std::string position_reason(Position position) {
+  if (position == Position::standard) return {};
+  return "the position " + std::string(name(position)) + " is not supported yet";
+}
+
+void judge(const SceneLight& light, const SceneBlocker& blocker, ScenePair& pair) {
+  pair.reason = light_reason(light.shape);
+  if (pair.reason.empty()) pair.reason = blocker_reason(blocker.shape);
+  if (!pair.reason.empty()) return;
+  pair.position = pair_position(light.shape, std::get<ConvexPolygon>(blocker.shape));
+  pair.reason = position_reason(*pair.position);
+}
+
+void judge(const PlanarLight&, const PlanarBlocker&, ScenePair& pair) {
+  pair.reason = "scenes of dimension 2 are not supported yet";
+}
+
+template <class SomeLight, class SomeBlocker>
+std::vector<ScenePair> selected_pairs(const std::vector<SomeLight>& lights, const std::vector<SomeBlocker>& blockers,
+                                      const PairSelection& selection) {
+  require_name("--light", "light", selection.light, lights);
+  require_name("--blocker", "blocker", selection.blocker, blockers);
+  const auto chosen = [](const std::string& wanted, const std::string& name) {
+    return wanted.empty() || wanted == name;
+  };
+  std::vector<ScenePair> pairs;
+  for (std::size_t l = 0; l < lights.size(); ++l) {
+    for (std::size_t b = 0; b < blockers.size(); ++b) {
+      if (!chosen(selection.light, lights[l].name) || !chosen(selection.blocker, blockers[b].name)) continue;
+      ScenePair& pair = pairs.emplace_back(ScenePair{l, b, lights[l].name, blockers[b].name, {}, {}});
+      judge(lights[l], blockers[b], pair);
+    }
+  }
+  return pairs;
+}
+
+}  // namespace
+
+std::vector<ScenePair> scene_pairs(const Scene& scene, const PairSelection& selection) {
+  if (scene.dimension == 2) return selected_pairs(scene.planar_lights, scene.planar_blockers, selection);
+  return selected_pairs(scene.lights, scene.blockers, selection);
+}
+
+std::size_t supported_count(const std::vector<ScenePair>& pairs) {
+  return static_cast<std::size_t>(
+      std::count_if(pairs.begin(), pairs.end(), [](const ScenePair& pair) { return pair.supported(); }));
+}
+
+}  // namespace gnomon

@@ -1,0 +1,119 @@
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "apps/gnomon/command_line.h"
+#include "apps/gnomon/commands.h"
+#include "apps/gnomon/computed_shadows.h"
+#include "apps/gnomon/console.h"
+#include "apps/gnomon/scene_pairs.h"
+#include "apps/gnomon/shadow_json.h"
+#include "apps/gnomon/shadow_summary.h"
+#include "apps/gnomon/text.h"
+#include "geometry/scene/scene_reader.h"
+#include "viz/shadow_writer.h"
+
+namespace gnomon {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ShadowOptions : CommonOptions {
+  std::string out;
+  std::string format = "vtm";
+  std::string path;
+  bool merge = false;
+};
+
+void add_options(CLI::App& app, ShadowOptions& options) {
+  add_text(app, "SCENE", options.scene, "FILE", "Scene file; without it the scene that is built in");
+  add_text(app, "--out", options.out, "DIR", "Folder for the files; may be left out where --json is given");
+  add_json_option(app, options);
+  add_pair_options(app, options);
+  add_text(app, "--format", options.format, "LIST", "One or more of vtm,vtpc,vtp,obj,stl,gltf (default: vtm)");
+  app.add_flag("--merge", options.merge, "The shadow of all blockers together; not available in this version");
+  add_text(app, "--path", options.path, "FILE", "A light that moves along a path; not available in this version");
+  app.footer(
+      "Examples:\n"
+      "  gnomon shadow --out shadow_of_default\n"
+      "  gnomon shadow examples/cornell_box.scene.json --blocker short_top --json -\n");
+}
+
+std::vector<OutputFormat> formats(const std::string& list) {
+  std::vector<OutputFormat> found;
+  for (const std::string_view word : comma_separated(list)) {
+    const std::optional<OutputFormat> format = output_format(word);
+    if (!format) {
+      throw UsageError("--format: expected some of vtm,vtpc,vtp,obj,stl,gltf, but found '" + std::string(word) + "'");
+    }
+    found.push_back(*format);
+  }
+  return found;
+}
+
+void check_usage(const ShadowOptions& options) {
+  if (options.merge) throw UnsupportedError("--merge is not available in this version");
+  if (!options.path.empty()) throw UnsupportedError("--path is not available in this version");
+  if (options.out.empty() && options.json.empty()) {
+    throw UsageError("nothing to write: give a folder with --out, or a file with --json");
+  }
+}
+
+std::string written_text(const std::string& out, const std::vector<fs::path>& files) {
+  if (files.empty()) return {};
+  const auto place = [&out](const fs::path& file) { return shell_word((fs::path(out) / file).string()); };
+  std::string text = "\nwritten    " + place(files.front());
+  if (files.size() > 1) text += " and " + counted(files.size() - 1, "other file");
+  text += '\n';
+  if (std::find(files.begin(), files.end(), "view.py") != files.end()) {
+    text += "open with  paraview --script=" + place("view.py") + '\n';
+  }
+  return text;
+}
+
+/// Says why nothing is written; a script gets the same as JSON.
+ExitCode refuse_all(const Scene& scene, const Box3& box, const std::vector<ScenePair>& pairs, const std::string& json) {
+  if (!json.empty()) write_json(shadow_json({&scene, box, {}}, pairs), json);
+  print_error(scene.source + ": " + unsupported_text(pairs));
+  return ExitCode::unsupported;
+}
+
+ExitCode write_all(const ShadowOptions& options, const std::vector<OutputFormat>& output_formats, const Scene& scene) {
+  const std::vector<ScenePair> pairs = scene_pairs(scene, {options.light, options.blocker});
+  const Box3 box = clip_box(scene, options.box);
+  if (!pairs.empty() && supported_count(pairs) == 0) return refuse_all(scene, box, pairs, options.json);
+
+  const ShadowResult result = computed_shadows(scene, pairs, box, {options.threads, !options.quiet});
+  std::vector<fs::path> files;
+  if (!options.out.empty()) files = write_shadow(result, options.out, {output_formats});
+  if (!options.json.empty()) write_json(shadow_json(result, pairs), options.json);
+  if (pairs.empty()) print_warning("the scene has no pair of a light and a blocker");
+  if (supported_count(pairs) < pairs.size()) print_warning(unsupported_text(pairs));
+  if (!options.quiet && options.json != "-") {
+    std::cout << shadow_summary(result, pairs) << written_text(options.out, files);
+  }
+  return ExitCode::done;
+}
+
+}  // namespace
+
+ExitCode shadow_command(Arguments arguments) {
+  CLI::App app(
+      "Computes the extremal planes and the exact occlusion, umbra and penumbra volumes of every pair of a\n"
+      "light and a blocker, and writes them for ParaView.",
+      "gnomon shadow");
+  ShadowOptions options;
+  add_options(app, options);
+  if (!parse_arguments(app, arguments)) return ExitCode::done;
+  check_usage(options);
+  const std::vector<OutputFormat> output_formats = formats(options.format);
+  const Scene scene =
+      options.scene.empty() ? parse_scene(default_scene_text(), "default", ".") : read_scene(options.scene);
+  return write_all(options, output_formats, scene);
+}
+
+}  // namespace gnomon

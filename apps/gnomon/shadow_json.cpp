@@ -1,0 +1,88 @@
+#include "apps/gnomon/shadow_json.h"
+
+#include <iostream>
+#include <string_view>
+
+#include "apps/gnomon/output_file.h"
+
+namespace gnomon {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json element_json(std::string_view of, std::uint32_t index) {
+  return {{"of", of}, {"index", index}};
+}
+
+Json plane_json(Contact contact, const BlockerPlane& plane) {
+  return {{"contact", name(contact)},
+          {"edge", element_json("blocker", number(plane.edge))},
+          {"vertex", element_json("light", number(plane.vertex))}};
+}
+
+Json plane_json(Contact contact, const LightPlane& plane) {
+  return {{"contact", name(contact)},
+          {"edge", element_json("light", number(plane.edge))},
+          {"vertex", element_json("blocker", number(plane.vertex))}};
+}
+
+Json planes_json(const ExtremalPlanes& planes) {
+  Json list = Json::array();
+  for (const BlockerPlane& plane : planes.separating_blocker) list.push_back(plane_json(Contact::separating, plane));
+  for (const LightPlane& plane : planes.separating_light) list.push_back(plane_json(Contact::separating, plane));
+  for (const BlockerPlane& plane : planes.supporting_blocker) list.push_back(plane_json(Contact::supporting, plane));
+  return list;
+}
+
+Json volume_json(const VolumeFacts& facts, const VolumeMesh& mesh) {
+  return {{"empty", facts.empty},
+          {"bounded", facts.bounded},
+          {"components", facts.components},
+          {"volume_in_box", mesh.volume.nearest}};
+}
+
+void add_shadow(Json& pair, const ShadowVolumes& volumes, const ShadowMeshes& meshes) {
+  pair["planes"] = planes_json(volumes.planes);
+  pair["occlusion"] = volume_json(volumes.occlusion_facts, meshes.occlusion);
+  pair["umbra"] = volume_json(volumes.umbra_facts, meshes.umbra);
+  pair["penumbra"] = volume_json(volumes.penumbra_facts, meshes.penumbra);
+}
+
+}  // namespace
+
+Json pair_json(const ScenePair& pair) {
+  Json json = {{"light", pair.light}, {"blocker", pair.blocker}};
+  json["position"] = pair.position ? Json(name(*pair.position)) : Json();
+  json["supported"] = pair.supported();
+  if (!pair.supported()) json["reason"] = pair.reason;
+  return json;
+}
+
+Json box_json(const Box3& box) {
+  return Json::array({box.min.x, box.min.y, box.min.z, box.max.x, box.max.y, box.max.z});
+}
+
+Json shadow_json(const ShadowResult& result, const std::vector<ScenePair>& pairs) {
+  const Scene& scene = *result.scene;
+  Json document = {{"schema", "gnomon/shadow/1"}, {"scene", scene.source}, {"length_unit", scene.length_unit}};
+  document["clip_box"] = box_json(result.clip_box);
+  document["pairs"] = Json::array();
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    Json pair = pair_json(pairs[i]);
+    if (pairs[i].supported()) add_shadow(pair, result.pairs[i].volumes, result.pairs[i].meshes);
+    document["pairs"].push_back(std::move(pair));
+  }
+  return document;
+}
+
+void write_json(const Json& document, const std::string& file) {
+  // A file name need not be UTF-8; JSON must be.
+  const std::string text = document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  if (file == "-") {
+    std::cout << text;
+  } else {
+    write_output_file(file, text);
+  }
+}
+
+}  // namespace gnomon

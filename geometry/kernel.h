@@ -1,0 +1,25 @@
+#pragma once
+
+/// The CGAL kernels and number types of the project, named once. Only .cpp files include this header.
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Interval_nt.h>
+
+#include "geometry/point.h"
+
+namespace gnomon {
+
+/// Decides signs of determinants of input points exactly; constructs nothing.
+using InputKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+/// Exact arithmetic for constructed points and measures.
+using Rational = CGAL::Exact_rational;
+
+/// Encloses a real number; valid while the rounding mode is protected.
+using Interval = CGAL::Interval_nt<false>;
+
+/// The input point as CGAL sees it.
+inline InputKernel::Point_3 to_cgal(const Point3& p) { return {p.x, p.y, p.z}; }
+
+}  // namespace gnomon

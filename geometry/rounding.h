@@ -1,0 +1,15 @@
+#pragma once
+
+#include "geometry/exact_number.h"
+#include "geometry/kernel.h"
+
+namespace gnomon {
+
+/// The double nearest to a rational number, ties to even, subnormals and overflow to infinity included.
+/// Exactness: correctly rounded whatever the rounding mode of the processor is.
+double nearest_double(const Rational& number);
+
+/// The number correctly rounded and as text.
+ExactNumber exact_number(const Rational& number);
+
+}  // namespace gnomon

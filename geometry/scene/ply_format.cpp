@@ -1,0 +1,225 @@
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <optional>
+
+#include "geometry/scene/mesh_formats.h"
+#include "geometry/scene/mesh_text.h"
+
+namespace gnomon {
+namespace {
+
+enum class Encoding { ascii, little_endian, big_endian };
+
+struct ScalarType {
+  std::size_t bytes;
+  enum class Kind { signed_integer, unsigned_integer, floating } kind;
+};
+
+struct Property {
+  std::string name;
+  ScalarType type;
+  std::optional<ScalarType> count;  ///< of a list
+};
+
+struct Element {
+  std::string name;
+  std::uint64_t count;
+  std::vector<Property> properties;
+};
+
+struct Head {
+  Encoding encoding = Encoding::ascii;
+  std::vector<Element> elements;
+};
+
+ScalarType scalar_type(const MeshLines& lines, std::string_view word) {
+  using Kind = ScalarType::Kind;
+  if (word == "char" || word == "int8") return {1, Kind::signed_integer};
+  if (word == "uchar" || word == "uint8") return {1, Kind::unsigned_integer};
+  if (word == "short" || word == "int16") return {2, Kind::signed_integer};
+  if (word == "ushort" || word == "uint16") return {2, Kind::unsigned_integer};
+  if (word == "int" || word == "int32") return {4, Kind::signed_integer};
+  if (word == "uint" || word == "uint32") return {4, Kind::unsigned_integer};
+  if (word == "float" || word == "float32") return {4, Kind::floating};
+  if (word == "double" || word == "float64") return {8, Kind::floating};
+  lines.refuse(word_text(word), "a PLY number type");
+}
+
+Encoding encoding(const MeshLines& lines, std::string_view word) {
+  if (word == "ascii") return Encoding::ascii;
+  if (word == "binary_little_endian") return Encoding::little_endian;
+  if (word == "binary_big_endian") return Encoding::big_endian;
+  lines.refuse(word_text(word), "ascii, binary_little_endian or binary_big_endian");
+}
+
+void require_words(const MeshLines& lines, std::size_t count) {
+  if (lines.words().size() < count) {
+    lines.refuse("a head line of " + std::to_string(lines.words().size()) + " words", std::to_string(count) + " words");
+  }
+}
+
+void read_property(const MeshLines& lines, Head& head) {
+  require_words(lines, 3);
+  if (head.elements.empty()) lines.refuse("a property before the first element", "an element");
+  const auto& words = lines.words();
+  std::vector<Property>& properties = head.elements.back().properties;
+  if (words[1] != "list") {
+    properties.push_back({std::string(words[2]), scalar_type(lines, words[1]), {}});
+    return;
+  }
+  require_words(lines, 5);
+  const ScalarType count = scalar_type(lines, words[2]);
+  if (count.kind == ScalarType::Kind::floating) lines.refuse(word_text(words[2]), "an integer type for a count");
+  properties.push_back({std::string(words[4]), scalar_type(lines, words[3]), count});
+}
+
+Head read_head(MeshLines& lines) {
+  Head head;
+  if (!lines.next() || lines.words()[0] != "ply") lines.refuse("no PLY head", "a first line \"ply\"");
+  while (lines.next()) {
+    const std::string_view keyword = lines.words()[0];
+    if (keyword == "end_header") return head;
+    if (keyword == "format") {
+      require_words(lines, 2);
+      head.encoding = encoding(lines, lines.words()[1]);
+    } else if (keyword == "element") {
+      require_words(lines, 3);
+      const std::int64_t count = lines.integer(2);
+      if (count < 0) lines.refuse("a negative count", "0 or more");
+      head.elements.push_back({std::string(lines.words()[1]), static_cast<std::uint64_t>(count), {}});
+    } else if (keyword == "property") {
+      read_property(lines, head);
+    } else if (keyword != "comment" && keyword != "obj_info") {
+      lines.refuse(word_text(keyword), "a line of a PLY head");
+    }
+  }
+  lines.refuse("the end of the file", "\"end_header\"");
+}
+
+/// The numbers that follow the head, one after the other.
+class Numbers {
+ public:
+  Numbers(const MeshLines& head_lines, Encoding encoding, const MeshSource& source)
+      : lines_(head_lines.rest(), source), bytes_(head_lines.rest()), encoding_(encoding), source_(source) {}
+
+  double next(ScalarType type, const std::string& place) {
+    const double value = encoding_ == Encoding::ascii ? next_word(place) : next_binary(type, place);
+    if (!std::isfinite(value)) source_.refuse(place, "a number that is not finite", "a finite number");
+    return value;
+  }
+
+  /// A count or an index.
+  std::uint32_t next_whole(ScalarType type, const std::string& place) {
+    const double value = next(type, place);
+    if (value != std::floor(value) || value < 0 || value > UINT32_MAX) {
+      source_.refuse(place, "the number " + shortest(value), "a whole number, 0 or more");
+    }
+    return static_cast<std::uint32_t>(value);
+  }
+
+ private:
+  double next_word(const std::string& place) {
+    if (word_ == lines_.words().size()) {
+      if (!lines_.next()) refuse_end(place);
+      word_ = 0;
+    }
+    return lines_.number(word_++);
+  }
+
+  double next_binary(ScalarType type, const std::string& place) {
+    if (bytes_.size() < type.bytes) refuse_end(place);
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < type.bytes; ++i) {
+      const std::size_t from_top = encoding_ == Encoding::big_endian ? i : type.bytes - 1 - i;
+      bits = bits << 8 | static_cast<unsigned char>(bytes_[from_top]);
+    }
+    bytes_.remove_prefix(type.bytes);
+    if (type.kind == ScalarType::Kind::unsigned_integer) return static_cast<double>(bits);
+    if (type.kind == ScalarType::Kind::floating) {
+      if (type.bytes == 8) return std::bit_cast<double>(bits);
+      return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
+    }
+    const auto unused = static_cast<int>(64 - 8 * type.bytes);
+    return static_cast<double>(static_cast<std::int64_t>(bits << unused) >> unused);
+  }
+
+  [[noreturn]] void refuse_end(const std::string& place) const {
+    source_.refuse(place, "the end of the file", "as much as the head announces");
+  }
+
+  MeshLines lines_;
+  std::string_view bytes_;
+  Encoding encoding_;
+  const MeshSource& source_;
+  std::size_t word_ = 0;
+};
+
+void require_coordinates(const Element& element, const MeshSource& source) {
+  for (const std::string_view axis : {"x", "y", "z"}) {
+    const auto named = [&](const Property& p) { return p.name == axis && !p.count; };
+    if (std::any_of(element.properties.begin(), element.properties.end(), named)) continue;
+    source.refuse("the head", "vertices without the property " + std::string(axis), "properties x, y and z");
+  }
+}
+
+bool is_corner_list(const Property& property) {
+  return property.count && (property.name == "vertex_indices" || property.name == "vertex_index");
+}
+
+/// Reads one item; what is neither a coordinate nor a corner is passed over.
+void read_item(const Element& element, const std::string& place, Numbers& numbers, Point3& point,
+               std::vector<std::uint32_t>& corners) {
+  for (const Property& property : element.properties) {
+    if (!property.count) {
+      const double value = numbers.next(property.type, place);
+      if (property.name == "x") point.x = value;
+      if (property.name == "y") point.y = value;
+      if (property.name == "z") point.z = value;
+      continue;
+    }
+    const std::uint32_t count = numbers.next_whole(*property.count, place);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      if (is_corner_list(property)) {
+        corners.push_back(numbers.next_whole(property.type, place));
+      } else {
+        numbers.next(property.type, place);
+      }
+    }
+  }
+}
+
+void read_element(const Element& element, Numbers& numbers, const MeshSource& source, PolygonSoup& soup) {
+  const bool is_vertex = element.name == "vertex";
+  const bool is_face = element.name == "face";
+  if (is_vertex) require_coordinates(element, source);
+  if (is_face && std::none_of(element.properties.begin(), element.properties.end(), is_corner_list)) {
+    source.refuse("the head", "faces without a list of vertices", "the property list vertex_indices");
+  }
+  // Items without properties take no room in the file, so their count cannot be checked against it.
+  if (element.properties.empty()) return;
+  for (std::uint64_t i = 0; i < element.count; ++i) {
+    const std::string place = element.name.substr(0, 40) + " " + std::to_string(i);
+    Point3 point;
+    std::vector<std::uint32_t> corners;
+    read_item(element, place, numbers, point, corners);
+    if (is_vertex) soup.vertices.push_back(point);
+    if (!is_face) continue;
+    if (corners.size() < 3) source.refuse(place, "a facet of fewer than 3 vertices", "at least 3");
+    soup.facets.push_back(std::move(corners));
+  }
+}
+
+}  // namespace
+
+PolygonSoup ply_soup(std::string_view text, const MeshSource& source) {
+  MeshLines lines(text, source);
+  const Head head = read_head(lines);
+  Numbers numbers(lines, head.encoding, source);
+  PolygonSoup soup;
+  for (const Element& element : head.elements) read_element(element, numbers, source, soup);
+  require_indices(soup, source);
+  return soup;
+}
+
+}  // namespace gnomon

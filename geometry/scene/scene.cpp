@@ -1,0 +1,75 @@
+#include "geometry/scene/scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/scene/scene_points.h"
+
+namespace gnomon {
+namespace {
+
+std::vector<Point3> all_points(const Scene& scene) {
+  std::vector<Point3> points;
+  const auto add = [&](std::span<const Point3> more) { points.insert(points.end(), more.begin(), more.end()); };
+  const auto add_planar = [&](const std::vector<Point2>& more) {
+    for (const Point2& p : more) points.push_back({p.x, p.y, 0});
+  };
+  for (const SceneLight& light : scene.lights) add(light_points(light.shape));
+  for (const SceneBlocker& blocker : scene.blockers) add(blocker_points(blocker.shape));
+  for (const SceneReceiver& receiver : scene.receivers) add(receiver.shape.points());
+  for (const PlanarLight& light : scene.planar_lights) add_planar(light.vertices);
+  for (const PlanarBlocker& blocker : scene.planar_blockers) add_planar(blocker.vertices);
+  for (const PlanarBlocker& receiver : scene.planar_receivers) add_planar(receiver.vertices);
+  return points;
+}
+
+Box3 bounding_box(const std::vector<Point3>& points) {
+  Box3 box{points.front(), points.front()};
+  for (const Point3& p : points) {
+    box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};
+    box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
+  }
+  return box;
+}
+
+/// Finite and with an interior; false for overflow and for growth that was lost to rounding.
+bool is_interval(double min, double max) {
+  return std::isfinite(min) && std::isfinite(max) && min < max;
+}
+
+struct PointsOf {
+  std::vector<Point3> operator()(const PointLight& light) const { return {light.position}; }
+  std::vector<Point3> operator()(const DirectionalLight&) const { return {}; }
+  std::vector<Point3> operator()(const LinearLight& light) const { return {light.start, light.end}; }
+  std::vector<Point3> operator()(const AreaLight& light) const {
+    return {light.polygon.points().begin(), light.polygon.points().end()};
+  }
+  std::span<const Point3> operator()(const ConvexPolygon& polygon) const { return polygon.points(); }
+  std::span<const Point3> operator()(const Polytope& polytope) const { return polytope.vertices; }
+  std::span<const Point3> operator()(const ConcavePolygon& polygon) const { return polygon.vertices; }
+  std::span<const Point3> operator()(const Mesh& mesh) const { return mesh.vertices; }
+};
+
+}  // namespace
+
+std::vector<Point3> light_points(const Light& light) {
+  return std::visit(PointsOf{}, light);
+}
+
+std::span<const Point3> blocker_points(const BlockerShape& shape) {
+  return std::visit(PointsOf{}, shape);
+}
+
+std::optional<Box3> default_clip_box(const Scene& scene) {
+  const std::vector<Point3> points = all_points(scene);
+  if (points.empty()) return std::nullopt;
+  const auto [min, max] = bounding_box(points);
+  const double growth = std::hypot(max.x - min.x, max.y - min.y, max.z - min.z) / 2;
+  const double depth = scene.dimension == 2 ? 0 : growth;
+  const Box3 box{{min.x - growth, min.y - growth, min.z - depth}, {max.x + growth, max.y + growth, max.z + depth}};
+  if (!is_interval(box.min.x, box.max.x) || !is_interval(box.min.y, box.max.y)) return std::nullopt;
+  if (scene.dimension != 2 && !is_interval(box.min.z, box.max.z)) return std::nullopt;
+  return box;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "geometry/point.h"
+#include "geometry/spatial/convex_polygon.h"
+#include "geometry/spatial/light.h"
+
+namespace gnomon {
+
+/// A light of space with its name. `strength` is radiance [W/(m² sr)], intensity per length [W/(sr m)], intensity
+/// [W/sr] or irradiance [W/m²] for polygon, segment, point and direction.
+struct SceneLight {
+  std::string name;
+  Light shape;
+  double strength = 1;
+};
+
+/// The convex hull of points: at least 4, not coplanar.
+struct Polytope {
+  std::vector<Point3> vertices;
+};
+
+/// A simple planar polygon that need not be convex.
+struct ConcavePolygon {
+  std::vector<Point3> vertices;
+};
+
+/// A triangle or polygon mesh read from a file beside the scene.
+struct Mesh {
+  std::string file;  ///< as written in the scene
+  std::vector<Point3> vertices;
+  std::vector<std::vector<std::uint32_t>> facets;
+  bool closed = false;  ///< every edge in exactly two facets, in opposite directions
+};
+
+using BlockerShape = std::variant<ConvexPolygon, Polytope, ConcavePolygon, Mesh>;
+
+struct SceneBlocker {
+  std::string name;
+  BlockerShape shape;
+};
+
+struct SceneReceiver {
+  std::string name;
+  ConvexPolygon shape;
+};
+
+/// Lights, blockers and receivers of the plane (`dimension` 2).
+struct PlanarLight {
+  std::string name;
+  std::vector<Point2> vertices;  ///< one: a point light; two: a linear light
+  double strength = 1;
+};
+
+struct PlanarBlocker {
+  std::string name;
+  std::vector<Point2> vertices;  ///< two: a segment; more: a polyline of consecutive segments
+};
+
+/// A checked scene file. In dimension 3 the spatial lists are filled, in dimension 2 the planar ones.
+struct Scene {
+  std::string source;  ///< the file as the user named it, or "default" for the embedded scene
+  int dimension = 3;
+  std::string length_unit = "m";
+  std::vector<SceneLight> lights;
+  std::vector<SceneBlocker> blockers;
+  std::vector<SceneReceiver> receivers;
+  std::vector<PlanarLight> planar_lights;
+  std::vector<PlanarBlocker> planar_blockers;
+  std::vector<PlanarBlocker> planar_receivers;
+  std::vector<std::string> doubts;  ///< accepted, but worth a word: one sentence each, as `gnomon check` prints them
+};
+
+/// The box by which unbounded volumes are cut unless the user gives one: the bounding box of everything in the scene,
+/// receivers included, grown on every side by half its diagonal. Computed in doubles; exact from there on.
+/// Nothing if a coordinate overflows or the box has no interior. In dimension 2, z runs from 0 to 0.
+std::optional<Box3> default_clip_box(const Scene& scene);
+
+}  // namespace gnomon

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/scene/scene.h"
+
+namespace gnomon {
+
+/// What is allowed in a scene as a whole but looks like a mistake, one sentence each: nothing that shines or blocks, a
+/// light without strength, blockers in the same place, a light that turns its back to every blocker.
+std::vector<std::string> scene_doubts(const Scene& scene);
+
+}  // namespace gnomon

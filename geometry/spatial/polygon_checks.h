@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "geometry/point.h"
+
+namespace gnomon {
+
+/// A vertex that equals an earlier one.
+struct RepeatedVertex {
+  std::uint32_t vertex;
+  std::uint32_t other;  ///< the first vertex of the same coordinates
+};
+
+/// The repeated vertex of lowest index, or nothing.
+///
+/// Cost: O(n log n).
+std::optional<RepeatedVertex> repeated_vertex(std::span<const Point3> points);
+
+/// The plane that stands for the vertices of a polygon.
+///
+/// Definition: exactly coplanar vertices: their plane. Otherwise the plane through the first vertex p, the first vertex
+/// a at least half as far from p as the farthest one, and the first vertex b whose triangle p, a, b has at least half
+/// of the largest area. No vertex is then much farther from it than from the best plane there is, and for most
+/// polygons it is the plane of the first three vertices.
+struct PolygonPlane {
+  int dropped_axis;              ///< 0, 1, 2 for x, y, z: leaving it out maps the plane one to one
+  double deviation = 0;          ///< of `farthest`; relative error below 1e-12; 0 if and only if exactly coplanar
+  std::uint32_t farthest = 0;    ///< the vertex farthest from the plane, of lowest index
+  bool within_tolerance = true;  ///< deviation <= 1e-9 (the rational number) times the largest distance of two vertices
+};
+
+/// The plane of the vertices, or nothing if they lie on one line.
+///
+/// Requires:  at least one point, all coordinates finite.
+/// Exactness: the choice of the vertices, the deviation and its limit are compared exactly, whatever the magnitude.
+/// Cost:      O(n) for coplanar vertices; otherwise exact arithmetic, and O(n²) where the deviation is near the limit.
+std::optional<PolygonPlane> polygon_plane(std::span<const Point3> points);
+
+/// True if one plane holds all the points, or one line or point does.
+///
+/// Exactness: signs of orientation determinants of input points.
+bool are_coplanar(std::span<const Point3> points);
+
+/// The point without one coordinate: (y, z), (z, x) or (x, y) for axis 0, 1, 2.
+Point2 projected(const Point3& point, int dropped_axis);
+
+}  // namespace gnomon

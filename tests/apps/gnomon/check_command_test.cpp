@@ -1,0 +1,102 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/apps/gnomon/program_fixture.h"
+
+namespace gnomon {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class CheckCommand : public Program {
+ protected:
+  CheckCommand() { write("mixed.scene.json", mixed_scene); }
+};
+
+TEST_F(CheckCommand, PrintsWhatWasRecognised) {
+  const Outcome run = gnomon("check mixed.scene.json");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.err, IsEmpty());
+  EXPECT_THAT(run.out, AllOf(HasSubstr("2 lights, 3 blockers, 0 receivers"), HasSubstr("lamp"), HasSubstr("polytope"),
+                             HasSubstr("4 vertices"), HasSubstr("one-sided"), HasSubstr("radiance 1 W/(m^2 sr)")));
+}
+
+TEST_F(CheckCommand, PrintsEveryPairWithItsPositionOrTheReason) {
+  EXPECT_THAT(gnomon("check mixed.scene.json").out,
+              AllOf(HasSubstr("1 of 6 supported"), HasSubstr("standard"), HasSubstr("light_crosses_blocker_plane"),
+                    HasSubstr("blockers of shape polytope are not supported")));
+}
+
+TEST_F(CheckCommand, PrintsEveryDoubt) {
+  // The last vertex is off the plane by far less than 1e-9 of the diameter.
+  write("rounded.scene.json", R"({"gnomon": 1, "dimension": 3,
+    "lights": [{"name": "bulb", "shape": "point", "position": [0,0,5]}],
+    "blockers": [{"name": "leaf", "shape": "polygon", "vertices": [[-1,-1,0], [1,-1,0], [1,1,0], [-1,1,1e-12]]}]})");
+  const Outcome run = gnomon("check rounded.scene.json --json result.json");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, AllOf(HasSubstr("doubts\n"), HasSubstr("leaf"), HasSubstr("0 of 1 supported")));
+  const json result = read_json("result.json");
+  EXPECT_EQ(result["doubts"].size(), 1U);
+  EXPECT_TRUE(result["pairs"][0]["position"].is_null());
+  EXPECT_THAT(result["pairs"][0]["reason"].get<std::string>(), HasSubstr("coplanar"));
+}
+
+TEST_F(CheckCommand, PrintsTheJsonAloneOnStandardOutput) {
+  const Outcome run = gnomon("check mixed.scene.json --json -");
+  EXPECT_EQ(run.code, 0);
+  const json result = json::parse(run.out);
+  EXPECT_EQ(result["schema"], "gnomon/check/1");
+  EXPECT_EQ(result["dimension"], 3);
+  EXPECT_EQ(result["lights"][0],
+            (json{{"name", "lamp"}, {"shape", "polygon"}, {"vertices", 4}, {"two_sided", false}, {"radiance", 1.0}}));
+  EXPECT_EQ(result["blockers"][2], (json{{"name", "post"}, {"shape", "polytope"}, {"vertices", 4}}));
+  EXPECT_EQ(result["receivers"], json::array());
+  EXPECT_EQ(result["doubts"], json::array());
+  EXPECT_EQ(result["pairs"].size(), 6U);
+  EXPECT_EQ(result["clip_box"].size(), 6U);
+}
+
+TEST_F(CheckCommand, CountsTheFacetsOfAMesh) {
+  write("vase.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+  write("vase.scene.json", R"({"gnomon": 1, "dimension": 3,
+    "lights": [{"name": "bulb", "shape": "point", "position": [0,0,5]}],
+    "blockers": [{"name": "vase", "shape": "mesh", "file": "vase.obj"}]})");
+  const Outcome run = gnomon("check vase.scene.json --json -");
+  EXPECT_EQ(run.code, 0) << run.err;
+  const json vase = json::parse(run.out)["blockers"][0];
+  EXPECT_EQ(vase["vertices"], 4);
+  EXPECT_EQ(vase["facets"], 4);
+  EXPECT_EQ(vase["closed"], true);
+}
+
+TEST_F(CheckCommand, RecognisesPlanarScenes) {
+  write("plane.scene.json", R"({"gnomon": 1, "dimension": 2,
+    "lights": [{"name": "tube", "shape": "segment", "vertices": [[-1, 2], [1, 2]]}],
+    "blockers": [{"name": "fence", "shape": "polyline", "vertices": [[-1, 1], [0, 1], [1, 0]]}]})");
+  const Outcome run = gnomon("check plane.scene.json");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out,
+              AllOf(HasSubstr("dimension 2"), HasSubstr("tube"), HasSubstr("polyline"), HasSubstr("3 vertices")));
+}
+
+TEST_F(CheckCommand, PrintsNothingForAGoodSceneWhenQuiet) {
+  const Outcome run = gnomon("check mixed.scene.json --quiet");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_THAT(run.out + run.err, IsEmpty());
+}
+
+TEST_F(CheckCommand, EndsWith3NamingFileElementAndExpectation) {
+  write("repeated.scene.json", R"({"gnomon": 1, "dimension": 3,
+    "lights": [{"name": "bulb", "shape": "point", "position": [0,0,5]}],
+    "blockers": [{"name": "leaf", "shape": "polygon", "vertices": [[0,0,0], [1,0,0], [1,0,0], [0,1,0]]}]})");
+  const Outcome run = gnomon("check repeated.scene.json");
+  EXPECT_EQ(run.code, 3);
+  EXPECT_THAT(run.out, IsEmpty());
+  EXPECT_THAT(run.err, AllOf(HasSubstr("repeated.scene.json"), HasSubstr("/blockers/0"), HasSubstr("leaf")));
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,83 @@
+#include "tests/apps/gnomon/program_fixture.h"
+
+#include <stdlib.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+
+namespace gnomon {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path fresh_folder() {
+  std::string pattern = (fs::temp_directory_path() / "gnomon-test-XXXXXX").string();
+  if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
+  return pattern;
+}
+
+std::string contents(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw std::runtime_error("cannot read " + file.string());
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+}  // namespace
+
+Program::Program() : folder_(fresh_folder()) {
+  fs::create_directory(folder_ / "run");
+  fs::create_directory_symlink(GNOMON_EXAMPLES, folder_ / "run" / "examples");
+}
+
+Program::~Program() {
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
+Outcome Program::gnomon(const std::string& arguments) const {
+  return shell("\"$GNOMON\" " + arguments);
+}
+
+Outcome Program::shell(const std::string& command) const {
+  // What is captured lies outside of the folder that the program sees.
+  const std::string out = (folder_ / "out").string();
+  const std::string err = (folder_ / "err").string();
+  const std::string all = "cd '" + (folder_ / "run").string() +
+                          "' && unset DISPLAY && GNOMON='" GNOMON_PROGRAM "' && { " + command + "\n} </dev/null >'" +
+                          out + "' 2>'" + err + "'";
+  const int status = std::system(all.c_str());
+  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return {code, contents(out), contents(err)};
+}
+
+void Program::write(const std::string& file, const std::string& text) const {
+  std::ofstream(folder_ / "run" / file, std::ios::binary) << text;
+}
+
+std::string Program::read(const std::string& file) const {
+  return contents(folder_ / "run" / file);
+}
+
+std::vector<std::string> Program::names_in(const std::string& folder) const {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder_ / "run" / folder)) names.push_back(entry.path().filename());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::vector<std::string> examples_of(const std::string& help) {
+  std::istringstream lines(help.substr(std::min(help.find("Examples:"), help.size())));
+  const std::string start = "  gnomon ";
+  std::vector<std::string> found;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(start)) found.push_back(line.substr(start.size()));
+  }
+  return found;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace gnomon {
+
+/// What a run of the program left.
+struct Outcome {
+  int code = -1;    ///< exit code; 128 + n if signal n ended it
+  std::string out;  ///< stdout
+  std::string err;  ///< stderr
+};
+
+/// Runs the built program in a folder of its own, where the examples of the project lie in `examples`.
+class Program : public ::testing::Test {
+ protected:
+  Program();
+  ~Program() override;
+
+  /// Runs `gnomon` with arguments as a POSIX shell reads them; redirections are allowed. There is no display.
+  Outcome gnomon(const std::string& arguments) const;
+
+  /// Runs a shell command in which $GNOMON is the program.
+  Outcome shell(const std::string& command) const;
+
+  void write(const std::string& file, const std::string& text) const;
+  std::string read(const std::string& file) const;
+  nlohmann::json read_json(const std::string& file) const { return nlohmann::json::parse(read(file)); }
+  bool exists(const std::string& file) const { return std::filesystem::exists(folder_ / "run" / file); }
+
+  /// Everything in a folder, hidden files too, sorted.
+  std::vector<std::string> names_in(const std::string& folder) const;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+/// The lines "  gnomon ..." that follow "Examples:" in a help text, without the program's name.
+std::vector<std::string> examples_of(const std::string& help);
+
+/// A lamp of side 2 at height 4 above an aligned table of side 4 at height 2. Below the table the half width grows by
+/// 3/2 of the depth for the occlusion and by 1/2 for the umbra.
+inline const std::string table_scene = R"({
+  "gnomon": 1, "dimension": 3,
+  "lights": [{"name": "lamp", "shape": "polygon", "vertices": [[-1,-1,4], [-1,1,4], [1,1,4], [1,-1,4]]}],
+  "blockers": [{"name": "table", "shape": "polygon", "vertices": [[-2,-2,2], [2,-2,2], [2,2,2], [-2,2,2]]}]
+})";
+
+/// The same with more: a wall that the lamp crosses, a solid, and a sun.
+inline const std::string mixed_scene = R"({
+  "gnomon": 1, "dimension": 3,
+  "lights": [
+    {"name": "lamp", "shape": "polygon", "vertices": [[-1,-1,4], [-1,1,4], [1,1,4], [1,-1,4]]},
+    {"name": "sun", "shape": "direction", "direction": [0,0,-1]}],
+  "blockers": [
+    {"name": "table", "shape": "polygon", "vertices": [[-2,-2,2], [2,-2,2], [2,2,2], [-2,2,2]]},
+    {"name": "wall", "shape": "polygon", "vertices": [[0,5,0], [0,6,0], [0,6,3], [0,5,3]]},
+    {"name": "post", "shape": "polytope", "vertices": [[5,0,0], [6,0,0], [5,1,0], [5,0,2]]}]
+})";
+
+/// Nothing in it is supported.
+inline const std::string sun_scene = R"({
+  "gnomon": 1, "dimension": 3,
+  "lights": [{"name": "sun", "shape": "direction", "direction": [0,0,-1]}],
+  "blockers": [{"name": "table", "shape": "polygon", "vertices": [[-2,-2,2], [2,-2,2], [2,2,2], [-2,2,2]]}]
+})";
+
+}  // namespace gnomon

@@ -1,0 +1,220 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/apps/gnomon/program_fixture.h"
+
+namespace gnomon {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::Each;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+
+class ShadowCommand : public Program {
+ protected:
+  ShadowCommand() {
+    write("table.scene.json", table_scene);
+    write("mixed.scene.json", mixed_scene);
+    write("sun.scene.json", sun_scene);
+  }
+};
+
+TEST_F(ShadowCommand, WritesTheDefaultSceneForParaView) {
+  const Outcome run = gnomon("shadow --out shadows");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.err, IsEmpty());
+  EXPECT_THAT(run.out, AllOf(HasSubstr("shadows/shadow.vtm"), HasSubstr("paraview --script=shadows/view.py"),
+                             HasSubstr("umbra"), HasSubstr("penumbra"), HasSubstr("occlusion")));
+  EXPECT_TRUE(exists("shadows/shadow.vtm"));
+  EXPECT_TRUE(exists("shadows/manifest.json"));
+  EXPECT_TRUE(exists("shadows/view.py"));
+}
+
+TEST_F(ShadowCommand, WritesTheCornellBoxAndWarnsOfPairsThatTheLampCrosses) {
+  const Outcome run = gnomon("shadow examples/cornell_box.scene.json --out box");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(exists("box/shadow.vtm"));
+  EXPECT_THAT(run.out, HasSubstr("short_top"));
+  EXPECT_THAT(run.err, AllOf(HasSubstr("warning"), HasSubstr("light_crosses_blocker_plane")));
+}
+
+TEST_F(ShadowCommand, QuotesTheParaViewCommandForTheShell) {
+  EXPECT_THAT(gnomon("shadow --out 'my shadows'").out, HasSubstr("paraview --script='my shadows/view.py'"));
+}
+
+TEST_F(ShadowCommand, PrintsTheJsonAloneOnStandardOutput) {
+  const Outcome run = gnomon("shadow mixed.scene.json --json -");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_TRUE(nlohmann::json::accept(run.out)) << run.out;
+  EXPECT_THAT(names_in("."), Not(Contains(StartsWith(".gnomon"))));
+}
+
+TEST_F(ShadowCommand, WritesFolderAndJsonAtOnce) {
+  const Outcome run = gnomon("shadow table.scene.json --out shadows --json result.json");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(exists("shadows/shadow.vtm"));
+  EXPECT_EQ(read_json("result.json")["schema"], "gnomon/shadow/1");
+}
+
+TEST_F(ShadowCommand, AsksForSomethingToWrite) {
+  const Outcome run = gnomon("shadow table.scene.json");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, AllOf(HasSubstr("--out"), HasSubstr("--json")));
+}
+
+TEST_F(ShadowCommand, PrintsNothingWhenQuiet) {
+  const Outcome run = gnomon("shadow table.scene.json --out shadows --quiet");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_THAT(run.out + run.err, IsEmpty());
+  EXPECT_TRUE(exists("shadows/shadow.vtm"));
+}
+
+TEST_F(ShadowCommand, WarnsOfUnsupportedPairsByNameEvenWhenQuiet) {
+  const Outcome run = gnomon("shadow mixed.scene.json --out shadows --quiet");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_THAT(run.out, IsEmpty());
+  EXPECT_THAT(run.err, AllOf(HasSubstr("5 of 6 pairs"), HasSubstr("lamp / wall: "),
+                             HasSubstr("light_crosses_blocker_plane"), HasSubstr("sun / table: "),
+                             HasSubstr("direction"), HasSubstr("lamp / post: "), HasSubstr("polytope")));
+}
+
+TEST_F(ShadowCommand, EndsWith4WhereNoPairIsSupported) {
+  const Outcome run = gnomon("shadow sun.scene.json --out shadows --json -");
+  EXPECT_EQ(run.code, 4);
+  EXPECT_THAT(run.err, AllOf(HasSubstr("sun / table"), HasSubstr("direction")));
+  EXPECT_FALSE(exists("shadows"));
+  const auto pair = nlohmann::json::parse(run.out)["pairs"].at(0);
+  EXPECT_EQ(pair["supported"], false);
+  EXPECT_FALSE(pair.contains("umbra"));
+}
+
+TEST_F(ShadowCommand, EndsWith4WhereTheOnlyChosenPairIsUnsupported) {
+  EXPECT_EQ(gnomon("shadow mixed.scene.json --light lamp --blocker table --json -").code, 0);
+  EXPECT_EQ(gnomon("shadow mixed.scene.json --light lamp --blocker wall --json -").code, 4);
+}
+
+TEST_F(ShadowCommand, TakesOneLightAndOneBlocker) {
+  const Outcome run = gnomon("shadow mixed.scene.json --light lamp --blocker table --json -");
+  const auto pairs = nlohmann::json::parse(run.out)["pairs"];
+  ASSERT_EQ(pairs.size(), 1U);
+  EXPECT_EQ(pairs[0]["light"], "lamp");
+  EXPECT_EQ(pairs[0]["blocker"], "table");
+}
+
+TEST_F(ShadowCommand, ListsTheKnownNamesWhereOneIsUnknown) {
+  const Outcome light = gnomon("shadow mixed.scene.json --light moon --json -");
+  EXPECT_EQ(light.code, 2);
+  EXPECT_THAT(light.err, AllOf(HasSubstr("'moon'"), HasSubstr("'lamp'"), HasSubstr("'sun'")));
+  const Outcome blocker = gnomon("shadow mixed.scene.json --blocker tree --json -");
+  EXPECT_EQ(blocker.code, 2);
+  EXPECT_THAT(blocker.err, AllOf(HasSubstr("'tree'"), HasSubstr("'table'"), HasSubstr("'wall'"), HasSubstr("'post'")));
+  EXPECT_THAT(light.out + blocker.out, IsEmpty());
+}
+
+TEST_F(ShadowCommand, RefusesABoxThatIsNone) {
+  for (const std::string box : {"1,2,3", "0,0,0,1,1,0", "0,0,0,1,1,-1", "0,0,0,1,1,inf", "0,0,0,1,1,nan",
+                                "0,0,0,1,1,1e999", "0,0,0,1,1,", "0,0,0,1,1,1x", "0,0,0,1,1,1,1", "''"}) {
+    const Outcome run = gnomon("shadow table.scene.json --json - --box " + box);
+    EXPECT_EQ(run.code, 2) << box;
+    EXPECT_THAT(run.err, HasSubstr("--box")) << box;
+    EXPECT_THAT(run.out, IsEmpty()) << box;
+  }
+}
+
+TEST_F(ShadowCommand, RefusesUnknownFormatsAndOptions) {
+  const Outcome format = gnomon("shadow --out shadows --format vtm,doc");
+  EXPECT_EQ(format.code, 2);
+  EXPECT_THAT(format.err, AllOf(HasSubstr("'doc'"), HasSubstr("vtpc")));
+  EXPECT_FALSE(exists("shadows"));
+  for (const std::string options :
+       {"--colour red", "--threads 0", "--threads two", "--json", "one two", "--light ''"}) {
+    EXPECT_EQ(gnomon("shadow --out shadows " + options).code, 2) << options;
+  }
+}
+
+TEST_F(ShadowCommand, SaysThatMergeAndPathAreNotAvailableYet) {
+  for (const std::string option : {"--merge", "--path way.json"}) {
+    const Outcome run = gnomon("shadow --out shadows " + option);
+    EXPECT_EQ(run.code, 4) << option;
+    EXPECT_THAT(run.err, HasSubstr("not available in this version"));
+  }
+}
+
+TEST_F(ShadowCommand, EndsWith3ForAMissingOrBrokenScene) {
+  write("broken.json", "{ \"gnomon\": 1, ");
+  write("empty.json", "");
+  for (const std::string file : {"missing.json", "broken.json", "empty.json", "."}) {
+    const Outcome run = gnomon("shadow " + file + " --out shadows");
+    EXPECT_EQ(run.code, 3) << file;
+    EXPECT_THAT(run.err, HasSubstr(file));
+    EXPECT_THAT(run.out, IsEmpty());
+  }
+  EXPECT_FALSE(exists("shadows"));
+}
+
+TEST_F(ShadowCommand, OldOutputSurvivesAFailedRun) {
+  ASSERT_EQ(gnomon("shadow table.scene.json --out shadows --json result.json --quiet").code, 0);
+  const std::string before = read("result.json");
+  const std::vector<std::string> files = names_in("shadows");
+  write("table.scene.json", "{}");
+  EXPECT_EQ(gnomon("shadow table.scene.json --out shadows --json result.json").code, 3);
+  EXPECT_EQ(read("result.json"), before);
+  EXPECT_EQ(names_in("shadows"), files);
+}
+
+TEST_F(ShadowCommand, OldOutputSurvivesARunThatIsKilledWhileWriting) {
+  ASSERT_EQ(gnomon("shadow table.scene.json --json result.json --quiet").code, 0);
+  const std::string before = read("result.json");
+  // The first write past the limit ends the program by a signal.
+  const Outcome run = shell("ulimit -f 1; \"$GNOMON\" shadow mixed.scene.json --json result.json");
+  EXPECT_GT(run.code, 128);
+  EXPECT_EQ(read("result.json"), before);
+  EXPECT_EQ(gnomon("shadow table.scene.json --json result.json --quiet").code, 0);
+  EXPECT_THAT(names_in("."), Each(Not(StartsWith(".gnomon"))));
+}
+
+TEST_F(ShadowCommand, LeavesFilesOfOthersInTheFolderAlone) {
+  ASSERT_EQ(shell("mkdir shadows").code, 0);
+  write("shadows/notes.txt", "mine");
+  EXPECT_EQ(gnomon("shadow table.scene.json --out shadows").code, 0);
+  EXPECT_EQ(read("shadows/notes.txt"), "mine");
+}
+
+TEST_F(ShadowCommand, NamesAPlaceThatCannotBeWritten) {
+  write("file", "mine");
+  const Outcome folder = gnomon("shadow table.scene.json --out file");
+  EXPECT_EQ(folder.code, 1);
+  EXPECT_THAT(folder.err, HasSubstr("file"));
+  const Outcome json = gnomon("shadow table.scene.json --json file/result.json");
+  EXPECT_EQ(json.code, 1);
+  EXPECT_THAT(json.err, HasSubstr("file"));
+  const Outcome onto_folder = gnomon("shadow table.scene.json --json .");
+  EXPECT_EQ(onto_folder.code, 1);
+  EXPECT_EQ(read("file"), "mine");
+}
+
+TEST_F(ShadowCommand, WritesJsonToDevicesAndThroughLinks) {
+  EXPECT_TRUE(nlohmann::json::accept(gnomon("shadow table.scene.json --quiet --json /dev/stdout | cat").out));
+  EXPECT_EQ(gnomon("shadow table.scene.json --json /dev/full").code, 1);
+  ASSERT_EQ(shell("touch target.json; ln -s target.json link.json").code, 0);
+  EXPECT_EQ(gnomon("shadow table.scene.json --json link.json").code, 0);
+  EXPECT_EQ(shell("test -L link.json").code, 0);
+  EXPECT_EQ(read_json("target.json")["schema"], "gnomon/shadow/1");
+}
+
+TEST_F(ShadowCommand, AnswersPlanarScenesWithNotSupported) {
+  write("plane.scene.json", R"({"gnomon": 1, "dimension": 2,
+    "lights": [{"name": "tube", "shape": "segment", "vertices": [[-1, 2], [1, 2]]}],
+    "blockers": [{"name": "stick", "shape": "segment", "vertices": [[-1, 1], [1, 1]]}]})");
+  const Outcome run = gnomon("shadow plane.scene.json --json -");
+  EXPECT_EQ(run.code, 4);
+  EXPECT_THAT(run.err, HasSubstr("dimension 2"));
+  EXPECT_EQ(nlohmann::json::parse(run.out)["pairs"].at(0)["supported"], false);
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,120 @@
+#include "viz/manifest.h"
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "geometry/spatial/position.h"
+#include "viz/cell_arrays.h"
+#include "viz/path_text.h"
+
+namespace gnomon::viz {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* schema = "gnomon/manifest/1";
+
+Json fields_json(const Fields& fields) {
+  Json json = Json::object();
+  for (const Field& field : fields) std::visit([&](const auto& values) { json[field.name] = values; }, field.values);
+  return json;
+}
+
+Json arrays_json() {
+  Json json = Json::array();
+  for (const CellArray& array : cell_arrays()) {
+    json.push_back({{"name", array.name}, {"type", array.type}, {"none", array.none}, {"meaning", array.meaning}});
+  }
+  return json;
+}
+
+Json volume_json(const VolumeFacts& facts, const VolumeMesh& mesh) {
+  return {{"empty", facts.empty},
+          {"bounded", facts.bounded},
+          {"components", facts.components},
+          {"volume_in_box", mesh.volume.nearest},
+          {"volume_in_box_exact", mesh.volume.exact}};
+}
+
+Json pair_json(const PairResult& pair) {
+  Json json = {{"light", pair.light},           {"blocker", pair.blocker},     {"light_id", pair.light_id},
+               {"blocker_id", pair.blocker_id}, {"supported", pair.supported}, {"position", nullptr}};
+  if (pair.position) json["position"] = gnomon::name(*pair.position);
+  if (!pair.supported) return json;
+  json["occlusion"] = volume_json(pair.volumes.occlusion_facts, pair.meshes.occlusion);
+  json["umbra"] = volume_json(pair.volumes.umbra_facts, pair.meshes.umbra);
+  json["penumbra"] = volume_json(pair.volumes.penumbra_facts, pair.meshes.penumbra);
+  return json;
+}
+
+Json block_json(const WrittenBlock& written) {
+  const Block& block = *written.block;
+  Json json = {{"path", block.path},
+               {"name", joined(block.path)},
+               {"kind", block.kind},
+               {"empty", block.empty()},
+               {"points", block.data->GetNumberOfPoints()},
+               {"cells", block.data->GetNumberOfCells()},
+               {"file", nullptr},
+               {"files", written.files},
+               {"field_data", fields_json(block.fields)}};
+  if (!written.files.empty()) json["file"] = written.files.front();
+  return json;
+}
+
+Json parsed(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  if (!in) throw std::runtime_error("cannot read " + file.string() + ": no result of `gnomon shadow` lies there");
+  try {
+    Json json = Json::parse(in);
+    if (json.at("schema") != schema)
+      throw std::runtime_error("cannot read " + file.string() + ": its schema is not " + schema);
+    return json;
+  } catch (const Json::exception& error) {
+    throw std::runtime_error("cannot read " + file.string() + ": " + error.what());
+  }
+}
+
+}  // namespace
+
+std::string manifest_text(const ShadowResult& result, const ManifestEntries& entries) {
+  Json json = {{"schema", schema}, {"dimension", result.scene->dimension}, {"roots", entries.roots}};
+  json["field_data"] = fields_json(result_fields(result));
+  json["cell_arrays"] = arrays_json();
+  json["pairs"] = Json::array();
+  for (const PairResult& pair : result.pairs) json["pairs"].push_back(pair_json(pair));
+  json["blocks"] = Json::array();
+  for (const WrittenBlock& block : entries.blocks) json["blocks"].push_back(block_json(block));
+  json["files"] = entries.files;
+  // A scene's file name may be no UTF-8.
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+ListedResult read_manifest(const std::filesystem::path& directory) {
+  const std::filesystem::path file = directory / "manifest.json";
+  const Json json = parsed(file);
+  try {
+    ListedResult result;
+    result.scene = json.at("field_data").at("scene").at(0);
+    result.length_unit = json.at("field_data").at("length_unit").at(0);
+    for (const Json& block : json.at("blocks")) {
+      const Json& name = block.at("file");
+      result.blocks.push_back({block.at("path"), block.at("kind"), name.is_null() ? "" : name.get<std::string>()});
+    }
+    return result;
+  } catch (const Json::exception& error) {
+    throw std::runtime_error("cannot read " + file.string() + ": " + error.what());
+  }
+}
+
+std::vector<std::string> earlier_files(const std::filesystem::path& directory) {
+  try {
+    return parsed(directory / "manifest.json").at("files").get<std::vector<std::string>>();
+  } catch (const std::exception&) {
+    return {};
+  }
+}
+
+}  // namespace gnomon::viz

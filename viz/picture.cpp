@@ -1,0 +1,143 @@
+#include "viz/picture.h"
+
+#include <vtkCamera.h>
+#include <vtkErrorCode.h>
+#include <vtkImageShrink3D.h>
+#include <vtkLightKit.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkWindowToImageFilter.h>
+
+#include "geometry/errors.h"
+#include "viz/block.h"
+#include "viz/block_file.h"
+#include "viz/display.h"
+#include "viz/manifest.h"
+#include "viz/picture_actors.h"
+#include "viz/picture_legend.h"
+#include "viz/quiet_vtk.h"
+#include "viz/staged_folder.h"
+
+namespace gnomon {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Drawn twice as large and averaged: edges are smooth, and depth peeling needs a window without multisampling.
+constexpr int oversampling = 2;
+constexpr double legend_share = 0.21;
+
+void add_scene(vtkRenderWindow& window, const viz::PictureScene& scene, const PictureOptions& options) {
+  const viz::PictureView view = viz::three_quarter_view(scene, (1 - legend_share) * options.width / options.height);
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetViewport(0, 0, 1 - legend_share, 1);
+  renderer->SetBackground(1, 1, 1);
+  renderer->SetUseDepthPeeling(1);
+  renderer->SetMaximumNumberOfPeels(64);
+  renderer->SetOcclusionRatio(0);
+  viz::add_actors(*renderer, scene, view, oversampling);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetPosition(view.position.x, view.position.y, view.position.z);
+  camera->SetFocalPoint(view.focus.x, view.focus.y, view.focus.z);
+  camera->SetViewUp(view.up.x, view.up.y, view.up.z);
+  camera->SetViewAngle(view.angle);
+  renderer->ResetCameraClippingRange();
+  vtkNew<vtkLightKit> lights;
+  lights->AddLightsToRenderer(renderer);
+  window.AddRenderer(renderer);
+}
+
+void add_legend(vtkRenderWindow& window, const viz::PictureScene& scene, const PictureOptions& options) {
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetViewport(1 - legend_share, 0, 1, 1);
+  renderer->SetBackground(1, 1, 1);
+  viz::add_legend(*renderer, scene, oversampling * legend_share * options.width, oversampling * options.height,
+                  oversampling);
+  window.AddRenderer(renderer);
+}
+
+void write_png(vtkRenderWindow& window, const fs::path& file) {
+  vtkNew<vtkWindowToImageFilter> image;
+  image->SetInput(&window);
+  image->SetInputBufferTypeToRGB();
+  image->ReadFrontBufferOff();
+  vtkNew<vtkImageShrink3D> shrunk;
+  shrunk->SetInputConnection(image->GetOutputPort());
+  shrunk->SetShrinkFactors(oversampling, oversampling, 1);
+  shrunk->MeanOn();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(shrunk->GetOutputPort());
+  writer->SetFileName(file.c_str());
+  writer->Write();
+  if (writer->GetErrorCode() != vtkErrorCode::NoError) {
+    throw std::runtime_error(vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()));
+  }
+}
+
+void draw(const viz::PictureScene& scene, const fs::path& png, const PictureOptions& options) {
+  const viz::QuietVtk quiet;
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  window->SetAlphaBitPlanes(1);
+  window->SetSize(oversampling * options.width, oversampling * options.height);
+  add_scene(*window, scene, options);
+  add_legend(*window, scene, options);
+  window->Render();
+
+  viz::StagedFolder folder(png.parent_path());
+  const viz::StagedFile file = folder.add(png.filename().string());
+  try {
+    write_png(*window, file.temporary);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error("cannot write " + png.string() + ": " + error.what());
+  }
+  folder.publish();
+}
+
+/// Says what is wrong before anything is read or computed.
+void check(const fs::path& png, const PictureOptions& options) {
+  if (options.width < 64 || options.height < 64) throw PreconditionError("picture: width and height of at least 64");
+  if (png.filename().empty()) throw std::runtime_error("cannot write " + png.string() + ": not the name of a file");
+  viz::require_display();
+}
+
+std::string title(const std::string& scene) {
+  std::string name = fs::path(scene).filename().string();
+  for (const std::string ending : {".json", ".scene"}) {
+    if (name.ends_with(ending)) name.resize(name.size() - ending.size());
+  }
+  return name;
+}
+
+}  // namespace
+
+void render_scene(const ShadowResult& result, const fs::path& png, const PictureOptions& options) {
+  if (result.scene == nullptr) throw PreconditionError("render_scene: a result without a scene");
+  check(png, options);
+  std::vector<viz::PictureBlock> blocks;
+  for (const viz::Block& block : viz::shadow_blocks(result)) {
+    auto surface = vtkSmartPointer<vtkPolyData>(vtkPolyData::SafeDownCast(block.data));
+    if (surface != nullptr && !block.empty()) blocks.push_back({block.path, block.kind, surface});
+  }
+  draw(viz::picture_scene(title(result.scene->source), blocks), png, options);
+}
+
+void render_result(const fs::path& directory, const fs::path& png, const PictureOptions& options) {
+  check(png, options);
+  const viz::ListedResult listed = viz::read_manifest(directory);
+  std::vector<viz::PictureBlock> blocks;
+  for (const viz::ListedBlock& block : listed.blocks) {
+    if (fs::path(block.file).extension() != ".vtp") continue;
+    blocks.push_back({block.path, block.kind, viz::read_surface(directory / block.file)});
+  }
+  if (blocks.empty()) {
+    throw std::runtime_error("cannot draw " + directory.string() +
+                             ": it holds no surfaces; write it with `gnomon shadow --format vtm` or vtpc");
+  }
+  draw(viz::picture_scene(title(listed.scene), blocks), png, options);
+}
+
+}  // namespace gnomon

@@ -1,0 +1,26 @@
+#include "viz/quiet_vtk.h"
+
+#include <vtkOutputWindow.h>
+#include <vtkStringOutputWindow.h>
+
+#include <sstream>
+
+namespace gnomon::viz {
+
+QuietVtk::QuietVtk()
+    : before_(vtkOutputWindow::GetInstance()), collected_(vtkSmartPointer<vtkStringOutputWindow>::New()) {
+  vtkOutputWindow::SetInstance(collected_);
+}
+
+QuietVtk::~QuietVtk() {
+  vtkOutputWindow::SetInstance(before_);
+}
+
+std::string QuietVtk::words() const {
+  std::istringstream text(collected_->GetOutput());
+  std::string line;
+  for (std::string word; text >> word;) line.append(line.empty() ? "" : " ").append(word);
+  return line;
+}
+
+}  // namespace gnomon::viz

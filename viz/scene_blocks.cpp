@@ -1,0 +1,187 @@
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/convex_hull_3.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkTriangleFilter.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <variant>
+
+#include "geometry/kernel.h"
+#include "viz/block.h"
+#include "viz/cell_arrays.h"
+#include "viz/vtk_cells.h"
+
+namespace gnomon::viz {
+namespace {
+
+using Facets = std::vector<std::vector<std::uint32_t>>;
+
+Facets one_polygon(std::size_t vertices) {
+  Facets facets(1, std::vector<std::uint32_t>(vertices));
+  std::iota(facets[0].begin(), facets[0].end(), 0u);
+  return facets;
+}
+
+/// The triangles of the hull, outward, as numbers of the points given. Points inside the hull are in none of them.
+Facets hull_facets(std::span<const Point3> vertices) {
+  using Hull = CGAL::Polyhedron_3<InputKernel>;
+  std::map<InputKernel::Point_3, std::uint32_t> numbers;
+  std::vector<InputKernel::Point_3> points;
+  for (const Point3& p : vertices) {
+    points.push_back(to_cgal(p));
+    numbers.emplace(points.back(), static_cast<std::uint32_t>(points.size() - 1));
+  }
+  Hull hull;
+  CGAL::convex_hull_3(points.begin(), points.end(), hull);
+  Facets facets;
+  for (auto facet = hull.facets_begin(); facet != hull.facets_end(); ++facet) {
+    std::vector<std::uint32_t> corners;
+    auto halfedge = facet->facet_begin();
+    do {
+      corners.push_back(numbers.at(halfedge->vertex()->point()));
+    } while (++halfedge != facet->facet_begin());
+    facets.push_back(std::move(corners));
+  }
+  return facets;
+}
+
+vtkSmartPointer<vtkPolyData> polygons(std::span<const Point3> points, const Facets& facets, CellName cell) {
+  vtkNew<vtkCellArray> cells;
+  std::vector<CellName> names;
+  for (const auto& facet : facets) {
+    insert_cell(*cells, facet);
+    cell.facet_id = static_cast<std::int32_t>(names.size());
+    names.push_back(cell);
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(vtk_points(points));
+  data->SetPolys(cells);
+  add_cell_arrays(*data, names);
+  return data;
+}
+
+// ParaView measures and draws only triangles and convex cells rightly.
+vtkSmartPointer<vtkPolyData> triangulated(vtkPolyData* data) {
+  vtkNew<vtkTriangleFilter> filter;
+  filter->SetInputData(data);
+  filter->Update();
+  auto triangles = vtkSmartPointer<vtkPolyData>::New();
+  triangles->ShallowCopy(filter->GetOutput());
+  return triangles;
+}
+
+vtkSmartPointer<vtkPolyData> points_or_line(std::span<const Point3> points, const CellName& cell) {
+  vtkNew<vtkCellArray> cells;
+  insert_cell(*cells, one_polygon(points.size())[0]);
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(vtk_points(points));
+  points.size() == 1 ? data->SetVerts(cells) : data->SetLines(cells);
+  add_cell_arrays(*data, std::vector<CellName>(1, cell));
+  return data;
+}
+
+/// A directional light is drawn as the ray that ends in the middle of the clip box, half the box's diagonal long.
+std::vector<Point3> central_ray(const Point3& direction, const Box3& box) {
+  const Point3 middle{std::midpoint(box.min.x, box.max.x), std::midpoint(box.min.y, box.max.y),
+                      std::midpoint(box.min.z, box.max.z)};
+  const double diagonal = std::hypot(box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z);
+  const double step = diagonal / 2 / std::hypot(direction.x, direction.y, direction.z);
+  return {{middle.x - step * direction.x, middle.y - step * direction.y, middle.z - step * direction.z}, middle};
+}
+
+struct LightData {
+  CellName cell;
+  const Box3& box;
+
+  vtkSmartPointer<vtkPolyData> operator()(const PointLight& light) const {
+    return points_or_line(std::vector{light.position}, cell);
+  }
+  vtkSmartPointer<vtkPolyData> operator()(const DirectionalLight& light) const {
+    return points_or_line(central_ray(light.direction, box), cell);
+  }
+  vtkSmartPointer<vtkPolyData> operator()(const LinearLight& light) const {
+    return points_or_line(std::vector{light.start, light.end}, cell);
+  }
+  vtkSmartPointer<vtkPolyData> operator()(const AreaLight& light) const {
+    return polygons(light.polygon.points(), one_polygon(light.polygon.points().size()), cell);
+  }
+};
+
+struct BlockerData {
+  CellName cell;
+
+  vtkSmartPointer<vtkPolyData> operator()(const ConvexPolygon& polygon) const {
+    return polygons(polygon.points(), one_polygon(polygon.points().size()), cell);
+  }
+  vtkSmartPointer<vtkPolyData> operator()(const Polytope& polytope) const {
+    return polygons(polytope.vertices, hull_facets(polytope.vertices), cell);
+  }
+  vtkSmartPointer<vtkPolyData> operator()(const ConcavePolygon& polygon) const {
+    return triangulated(polygons(polygon.vertices, one_polygon(polygon.vertices.size()), cell));
+  }
+  vtkSmartPointer<vtkPolyData> operator()(const Mesh& mesh) const {
+    return triangulated(polygons(mesh.vertices, mesh.facets, cell));
+  }
+};
+
+std::string shape_name(const Light& light) {
+  constexpr const char* names[] = {"point", "direction", "segment", "polygon"};
+  return names[light.index()];
+}
+
+std::string shape_name(const BlockerShape& shape) {
+  constexpr const char* names[] = {"polygon", "polytope", "concave_polygon", "mesh"};
+  return names[shape.index()];
+}
+
+Fields element_fields(const ShadowResult& result, const std::string& name, const std::string& shape) {
+  Fields fields = leaf_fields(result, false);
+  fields.push_back({"name", std::vector<std::string>{name}});
+  fields.push_back({"shape", std::vector<std::string>{shape}});
+  return fields;
+}
+
+Fields light_fields(const ShadowResult& result, const SceneLight& light) {
+  Fields fields = element_fields(result, light.name, shape_name(light.shape));
+  const auto* area = std::get_if<AreaLight>(&light.shape);
+  fields.push_back({"strength", std::vector<double>{light.strength}});
+  fields.push_back({"two_sided", std::vector<std::int32_t>{area != nullptr && area->two_sided ? 1 : 0}});
+  return fields;
+}
+
+}  // namespace
+
+void append_scene_blocks(std::vector<Block>& blocks, const ShadowResult& result) {
+  const Scene& scene = *result.scene;
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    const SceneLight& light = scene.lights[i];
+    CellName cell;
+    cell.light_id = static_cast<std::int32_t>(i);
+    append_block(blocks, {{"scene", "lights", light.name},
+                          "light",
+                          light_fields(result, light),
+                          std::visit(LightData{cell, result.clip_box}, light.shape)});
+  }
+  for (std::size_t i = 0; i < scene.blockers.size(); ++i) {
+    const SceneBlocker& blocker = scene.blockers[i];
+    CellName cell;
+    cell.blocker_id = static_cast<std::int32_t>(i);
+    cell.facet_kind = static_cast<std::uint8_t>(FacetKind::blocker_face);
+    append_block(blocks, {{"scene", "blockers", blocker.name},
+                          "blocker",
+                          element_fields(result, blocker.name, shape_name(blocker.shape)),
+                          std::visit(BlockerData{cell}, blocker.shape)});
+  }
+  for (const SceneReceiver& receiver : scene.receivers) {
+    append_block(blocks, {{"scene", "receivers", receiver.name},
+                          "receiver",
+                          element_fields(result, receiver.name, "polygon"),
+                          BlockerData{CellName{}}(receiver.shape)});
+  }
+}
+
+}  // namespace gnomon::viz

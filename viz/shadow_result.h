@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/point.h"
+#include "geometry/scene/scene.h"
+#include "geometry/spatial/position.h"
+#include "geometry/spatial/shadow_volume.h"
+#include "geometry/spatial/volume_mesh.h"
+
+namespace gnomon {
+
+/// What one light and one convex blocker of a scene give.
+struct PairResult {
+  std::uint32_t light_id = 0;    ///< index into Scene::lights
+  std::uint32_t blocker_id = 0;  ///< index into Scene::blockers
+  std::string light;
+  std::string blocker;               ///< a part of a larger blocker is named `vase#12`
+  std::optional<Position> position;  ///< nothing where a position is not defined (solids, directional lights)
+  bool supported = false;            ///< false: `volumes` and `meshes` are not there
+  ShadowVolumes volumes;
+  ShadowMeshes meshes;
+};
+
+/// A scene and its shadows, ready to be written and drawn.
+struct ShadowResult {
+  const Scene* scene = nullptr;  ///< never null when used; outlives the result
+  Box3 clip_box;                 ///< the box by which the meshes are cut
+  std::vector<PairResult> pairs;
+};
+
+}  // namespace gnomon
