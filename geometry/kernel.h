@@ -20,6 +20,8 @@ using Rational = CGAL::Exact_rational;
 using Interval = CGAL::Interval_nt<false>;
 
 /// The input point as CGAL sees it.
-inline InputKernel::Point_3 to_cgal(const Point3& p) { return {p.x, p.y, p.z}; }
+inline InputKernel::Point_3 to_cgal(const Point3& p) {
+  return {p.x, p.y, p.z};
+}
 
 }  // namespace gnomon

@@ -21,6 +21,8 @@ double nearest_double(const Rational& number) {
   return result;
 }
 
-ExactNumber exact_number(const Rational& number) { return {nearest_double(number), number.str()}; }
+ExactNumber exact_number(const Rational& number) {
+  return {nearest_double(number), number.str()};
+}
 
 }  // namespace gnomon

@@ -4,6 +4,7 @@
 #include <vtkErrorCode.h>
 #include <vtkImageShrink3D.h>
 #include <vtkLightKit.h>
+#include <vtkMapper.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkRenderWindow.h>
@@ -49,13 +50,12 @@ void add_scene(vtkRenderWindow& window, const viz::PictureScene& scene, const Pi
   window.AddRenderer(renderer);
 }
 
-void add_legend(vtkRenderWindow& window, const viz::PictureScene& scene, const PictureOptions& options) {
+void add_legend(vtkRenderWindow& window, const viz::PictureScene& scene) {
   vtkNew<vtkRenderer> renderer;
   renderer->SetViewport(1 - legend_share, 0, 1, 1);
   renderer->SetBackground(1, 1, 1);
-  viz::add_legend(*renderer, scene, oversampling * legend_share * options.width, oversampling * options.height,
-                  oversampling);
   window.AddRenderer(renderer);
+  viz::add_legend(*renderer, scene, oversampling);
 }
 
 void write_png(vtkRenderWindow& window, const fs::path& file) {
@@ -76,15 +76,30 @@ void write_png(vtkRenderWindow& window, const fs::path& file) {
   }
 }
 
+/// While this object lives, lines win over the polygons whose borders they are. VTK has one setting for all windows.
+class LinesInFront {
+ public:
+  LinesInFront() : before_(vtkMapper::GetResolveCoincidentTopology()) {
+    vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
+  }
+  ~LinesInFront() { vtkMapper::SetResolveCoincidentTopology(before_); }
+  LinesInFront(const LinesInFront&) = delete;
+  LinesInFront& operator=(const LinesInFront&) = delete;
+
+ private:
+  int before_;
+};
+
 void draw(const viz::PictureScene& scene, const fs::path& png, const PictureOptions& options) {
   const viz::QuietVtk quiet;
+  const LinesInFront lines_in_front;
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(0);
   window->SetAlphaBitPlanes(1);
   window->SetSize(oversampling * options.width, oversampling * options.height);
   add_scene(*window, scene, options);
-  add_legend(*window, scene, options);
+  add_legend(*window, scene);
   window->Render();
 
   viz::StagedFolder folder(png.parent_path());

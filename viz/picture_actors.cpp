@@ -1,17 +1,13 @@
 #include "viz/picture_actors.h"
 
 #include <vtkActor.h>
-#include <vtkBillboardTextActor3D.h>
 #include <vtkFeatureEdges.h>
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkSphereSource.h>
-#include <vtkTextProperty.h>
 #include <vtkTubeFilter.h>
-
-#include <string>
 
 #include "viz/palette.h"
 #include "viz/vector.h"
@@ -55,11 +51,14 @@ void add_filter(vtkRenderer& renderer, vtkAlgorithm& filter, const Look& look) {
   add_actor(renderer, mapper, look);
 }
 
+enum class Edges { all, creases };
+
 /// Borders and creases, not the diagonals of a triangulation.
-void add_edges(vtkRenderer& renderer, vtkPolyData* data, const Look& look) {
+void add_edges(vtkRenderer& renderer, vtkPolyData* data, const Look& look, Edges which = Edges::all) {
   vtkNew<vtkFeatureEdges> edges;
   edges->SetInputData(data);
   edges->SetFeatureAngle(0.5);
+  edges->SetBoundaryEdges(which == Edges::all);
   edges->ColoringOff();
   add_filter(renderer, *edges, look);
 }
@@ -113,14 +112,15 @@ void add_shadows(vtkRenderer& renderer, const PictureScene& scene, const Picture
   }
 }
 
+// The borders of volumes are drawn already: they are edges of blockers and of painted shadows.
 void add_volumes(vtkRenderer& renderer, const PictureScene& scene, double pixel) {
   for (const auto& surface : scene.umbras) {
     add_data(renderer, surface, {palette.umbra, 0.5, 0.6});
-    add_edges(renderer, surface, {palette.umbra, 0.9, 1, 1.5 * pixel});
+    add_edges(renderer, surface, {palette.umbra, 0.9, 1, 1.5 * pixel}, Edges::creases);
   }
   for (const auto& surface : scene.penumbras) {
-    add_data(renderer, surface, {palette.penumbra, 0.28, 0.6});
-    add_edges(renderer, surface, {palette.penumbra, 0.9, 1, 1.2 * pixel});
+    add_data(renderer, surface, {palette.penumbra, 0.33, 0.6});
+    add_edges(renderer, surface, {palette.penumbra, 0.9, 1, 1.5 * pixel}, Edges::creases);
   }
 }
 

@@ -1,7 +1,9 @@
 #include "viz/picture_legend.h"
 
 #include <vtkActor2D.h>
+#include <vtkCoordinate.h>
 #include <vtkNew.h>
+#include <vtkPolyData.h>
 #include <vtkPolyDataMapper2D.h>
 #include <vtkProperty2D.h>
 #include <vtkRenderer.h>
@@ -16,6 +18,8 @@
 
 namespace gnomon::viz {
 namespace {
+
+enum class Weight { plain, bold };
 
 struct Entry {
   std::string text;
@@ -54,50 +58,81 @@ std::vector<Entry> entries(const PictureScene& scene) {
   return list;
 }
 
-/// A filled rectangle, or its border, in pixels.
-void add_rectangle(vtkRenderer& renderer, double x, double y, double width, double height, const Color& color,
-                   double line) {
-  const std::vector<Point3> corners = {{x, y, 0}, {x + width, y, 0}, {x + width, y + height, 0}, {x, y + height, 0}};
-  vtkNew<vtkCellArray> cells;
-  insert_cell(*cells, line > 0 ? std::vector<int>{0, 1, 2, 3, 0} : std::vector<int>{0, 1, 2, 3});
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(vtk_points(corners));
-  line > 0 ? data->SetLines(cells) : data->SetPolys(cells);
-  vtkNew<vtkPolyDataMapper2D> mapper;
-  mapper->SetInputData(data);
-  vtkNew<vtkActor2D> actor;
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(color[0], color[1], color[2]);
-  actor->GetProperty()->SetLineWidth(static_cast<float>(line > 0 ? line : 1));
-  renderer.AddActor2D(actor);
-}
+/// Where the legend is drawn, in pixels of its renderer.
+class LegendPage {
+ public:
+  LegendPage(vtkRenderer& renderer, double pixel) : renderer_(renderer), pixel_(pixel) {}
 
-void add_text(vtkRenderer& renderer, const std::string& text, double x, double y, double size, bool bold) {
-  vtkNew<vtkTextActor> actor;
-  actor->SetInput(text.c_str());
-  actor->SetDisplayPosition(static_cast<int>(x), static_cast<int>(y));
-  vtkTextProperty* property = actor->GetTextProperty();
-  property->SetFontFamilyToArial();
-  property->SetFontSize(static_cast<int>(size));
-  property->SetBold(bold ? 1 : 0);
-  property->SetColor(palette.edge[0], palette.edge[1], palette.edge[2]);
-  property->SetVerticalJustificationToCentered();
-  renderer.AddActor2D(actor);
+  double width() const { return renderer_.GetSize()[0]; }
+  double height() const { return renderer_.GetSize()[1]; }
+
+  void swatch(double x, double y, double width, double height, const Color& color) {
+    const std::vector<Point3> corners = {{x, y, 0}, {x + width, y, 0}, {x + width, y + height, 0}, {x, y + height, 0}};
+    vtkNew<vtkCellArray> inside;
+    insert_cell(*inside, std::vector<int>{0, 1, 2, 3});
+    vtkNew<vtkCellArray> border;
+    insert_cell(*border, std::vector<int>{0, 1, 2, 3, 0});
+    vtkNew<vtkPolyData> filled;
+    filled->SetPoints(vtk_points(corners));
+    filled->SetPolys(inside);
+    add(filled, color);
+    vtkNew<vtkPolyData> outline;
+    outline->SetPoints(vtk_points(corners));
+    outline->SetLines(border);
+    add(outline, palette.edge);
+  }
+
+  /// `y` is the middle of the line of text.
+  void text(const std::string& words, double x, double y, double size, Weight weight) {
+    vtkNew<vtkTextActor> actor;
+    actor->SetInput(words.c_str());
+    actor->GetPositionCoordinate()->SetCoordinateSystemToViewport();
+    actor->SetPosition(x, y);
+    vtkTextProperty* property = actor->GetTextProperty();
+    property->SetFontFamilyToArial();
+    property->SetFontSize(static_cast<int>(size));
+    property->SetBold(weight == Weight::bold ? 1 : 0);
+    property->SetColor(palette.edge[0], palette.edge[1], palette.edge[2]);
+    property->SetVerticalJustificationToCentered();
+    renderer_.AddActor2D(actor);
+  }
+
+ private:
+  void add(vtkPolyData* data, const Color& color) {
+    vtkNew<vtkPolyDataMapper2D> mapper;
+    mapper->SetInputData(data);
+    vtkNew<vtkActor2D> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetColor(color[0], color[1], color[2]);
+    actor->GetProperty()->SetLineWidth(static_cast<float>(pixel_));
+    renderer_.AddActor2D(actor);
+  }
+
+  vtkRenderer& renderer_;
+  double pixel_;
+};
+
+/// The letters' height with which the longest line fits the page.
+double letter_size(const LegendPage& page, const PictureScene& scene, const std::vector<Entry>& list) {
+  std::size_t longest = scene.title.size() + 2;
+  for (const Entry& entry : list) longest = std::max(longest, entry.text.size() + 6);
+  // Letters of this typeface are some 0.52 as wide as they are high.
+  const double fitting = page.width() / (0.52 * static_cast<double>(longest));
+  return std::min({fitting, 0.085 * page.width(), 0.03 * page.height()});
 }
 
 }  // namespace
 
-void add_legend(vtkRenderer& renderer, const PictureScene& scene, double width, double height, double pixel) {
+void add_legend(vtkRenderer& renderer, const PictureScene& scene, double pixel) {
+  LegendPage page(renderer, pixel);
   const std::vector<Entry> list = entries(scene);
-  const double size = std::min(0.075 * width, 0.03 * height);
-  const double line = 2.1 * size;
-  double y = height - 2.5 * size;
-  add_text(renderer, scene.title, 0.5 * size, y, 1.15 * size, true);
+  const double size = letter_size(page, scene, list);
+  double y = page.height() - 3 * size;
+  page.text(scene.title, 0.3 * size, y, 1.15 * size, Weight::bold);
   for (const Entry& entry : list) {
-    y -= line;
-    add_rectangle(renderer, 0.5 * size, y - 0.7 * size, 2 * size, 1.4 * size, entry.color, 0);
-    add_rectangle(renderer, 0.5 * size, y - 0.7 * size, 2 * size, 1.4 * size, palette.edge, pixel);
-    add_text(renderer, entry.text, 3.1 * size, y, size, false);
+    y -= 2.1 * size;
+    page.swatch(0.3 * size, y - 0.7 * size, 2 * size, 1.4 * size, entry.color);
+    page.text(entry.text, 2.9 * size, y, size, Weight::plain);
   }
 }
 

@@ -8,9 +8,9 @@ class vtkRenderer;
 
 namespace gnomon::viz {
 
-/// Adds the legend of what the scene shows to a renderer of its own.
+/// Adds the legend of what the scene shows to a renderer of its own, which has its place in a window.
 ///
-/// Units: `width` and `height` of the renderer's part of the window in pixels, `pixel` as in add_actors.
-void add_legend(vtkRenderer& renderer, const PictureScene& scene, double width, double height, double pixel);
+/// Units: `pixel` as in add_actors.
+void add_legend(vtkRenderer& renderer, const PictureScene& scene, double pixel);
 
 }  // namespace gnomon::viz

@@ -1,1 +1,217 @@
-print("to come")
+"""Shows the result that lies beside this file in ParaView.
+
+    paraview --script=view.py
+    pvbatch view.py [--screenshot FILE.png]
+"""
+
+import argparse
+import json
+import os
+import sys
+
+from paraview import simple
+
+LIGHT = [0.94, 0.76, 0.05]
+BLOCKER = [0.84, 0.37, 0.00]
+RECEIVER = [0.95, 0.93, 0.87]
+EDGE = [0.12, 0.12, 0.14]
+PLANE = [0.45, 0.45, 0.50]
+
+# Number, name and colour of every value of the cell array `region`.
+REGIONS = [
+    (0, "lit", [0.98, 0.91, 0.62]),
+    (1, "penumbra", [0.47, 0.71, 0.89]),
+    (2, "umbra", [0.07, 0.22, 0.42]),
+    (3, "unlit", [0.35, 0.33, 0.36]),
+    (4, "unresolved_eee", [0.80, 0.47, 0.65]),
+]
+
+
+def this_folder():
+    """The folder of this file. ParaView's window runs scripts without __file__, but has the name on its command line."""
+    if "__file__" in globals():
+        return os.path.dirname(os.path.abspath(__file__))
+    try:
+        with open("/proc/self/cmdline", "rb") as command_line:
+            words = [os.fsdecode(word) for word in command_line.read().split(b"\0")]
+    except OSError:
+        words = []
+    for word, following in zip(words, words[1:]):
+        name = word[len("--script="):] if word.startswith("--script=") else following
+        if word.startswith("--script") and name.endswith(".py"):
+            return os.path.dirname(os.path.abspath(name))
+    return os.getcwd()
+
+
+def read_manifest(folder):
+    try:
+        with open(os.path.join(folder, "manifest.json"), encoding="utf-8") as file:
+            return json.load(file)
+    except OSError as error:
+        raise SystemExit(f"view.py: {error}; start ParaView in the result's folder, or with --script=FOLDER/view.py")
+
+
+def root_file(folder, manifest):
+    for root in manifest["roots"]:
+        if root.endswith((".vtm", ".vtpc")):
+            return os.path.join(folder, root)
+    raise SystemExit("view.py: the result has no .vtm or .vtpc file")
+
+
+class Result:
+    """The result in the pipeline, part by part."""
+
+    def __init__(self, reader, manifest, view):
+        self.reader = reader
+        self.blocks = manifest["blocks"]
+        self.view = view
+
+    def part(self, name, kind, region=None):
+        """The blocks of one kind under a name of their own; None if there are none."""
+        if not any(b["kind"] == kind and b["file"] and region in (None, b["path"][-1]) for b in self.blocks):
+            return None
+        folder = {"light": "scene/lights", "blocker": "scene/blockers", "receiver": "scene/receivers",
+                  "volume": "volumes", "extremal_planes": "extremal_planes"}[kind]
+        extract = simple.ExtractBlock(registrationName=name, Input=self.reader)
+        extract.Selectors = ["//" + folder if region is None else f"//{folder}/*/*/{region}"]
+        extract.UpdatePipeline()
+        return extract
+
+    def show(self, source, color, opacity=1.0, edges=False):
+        if source is None:
+            return None
+        display = simple.Show(source, self.view)
+        display.Representation = "Surface With Edges" if edges else "Surface"
+        display.ColorArrayName = [None, ""]
+        display.AmbientColor = color
+        display.DiffuseColor = color
+        display.Ambient = 0.4
+        display.Diffuse = 0.6
+        display.EdgeColor = EDGE
+        display.Opacity = opacity
+        display.LineWidth = 4.0
+        display.PointSize = 16.0
+        return display
+
+
+def region_colors(names):
+    """The colours of the regions of these names, which are those that a legend shows."""
+    regions = [region for region in REGIONS if region[1] in names]
+    table = simple.GetColorTransferFunction("region")
+    table.InterpretValuesAsCategories = 1
+    table.Annotations = [text for number, name, _ in regions for text in (str(number), name)]
+    table.IndexedColors = [value for _, _, color in regions for value in color]
+    table.IndexedOpacities = [1.0] * len(regions)
+    return table
+
+
+def without(source, name, facet_kind):
+    """The facets of other kinds: what lies on something else that is shown would flicker."""
+    facets = simple.Threshold(registrationName=name, Input=source)
+    facets.Scalars = ["CELLS", "facet_kind"]
+    facets.LowerThreshold = facet_kind
+    facets.UpperThreshold = facet_kind
+    facets.Invert = 1
+    return facets
+
+
+def show_volume(result, name, opacity, on_others):
+    source = result.part(name + " volumes", "volume", name)
+    if source is None:
+        return None
+    for facet_kind in on_others:
+        source = without(source, f"{name} without facets of kind {facet_kind}", facet_kind)
+    display = result.show(source, EDGE, opacity)
+    simple.ColorBy(display, ("CELLS", "region"))
+    return source
+
+
+def middle(bounds):
+    return [(bounds[2 * i] + bounds[2 * i + 1]) / 2 for i in range(3)]
+
+
+def up_axis(lights, blockers):
+    """The axis that leads from the blockers to the lights; z where it is close."""
+    if lights is None or blockers is None:
+        return [0.0, 0.0, 1.0]
+    low = middle(blockers.GetDataInformation().GetBounds())
+    high = middle(lights.GetDataInformation().GetBounds())
+    way = [h - l for h, l in zip(high, low)]
+    length = max(1e-300, sum(x * x for x in way) ** 0.5)
+    axis = 2 if abs(way[2]) >= 0.5 * length else max(range(3), key=lambda i: abs(way[i]))
+    up = [0.0, 0.0, 0.0]
+    up[axis] = 1.0 if way[axis] >= 0 else -1.0
+    return up
+
+
+def set_camera(view, up):
+    """A three-quarter view from above."""
+    axis = max(range(3), key=lambda i: abs(up[i]))
+    position = [0.0, 0.0, 0.0]
+    position[(axis + 1) % 3] = 0.5
+    position[(axis + 2) % 3] = -0.8
+    position[axis] = 0.42 * up[axis]
+    view.CameraFocalPoint = [0.0, 0.0, 0.0]
+    view.CameraPosition = position
+    view.CameraViewUp = up
+    simple.ResetCamera(view)
+    view.GetActiveCamera().Zoom(1.2)
+
+
+def new_view():
+    view = simple.GetActiveViewOrCreate("RenderView")
+    view.ViewSize = [1280, 960]
+    view.UseColorPaletteForBackground = 0
+    view.Background = [1.0, 1.0, 1.0]
+    view.OrientationAxesLabelColor = EDGE
+    return view
+
+
+def show_legend(view, table):
+    bar = simple.GetScalarBar(table, view)
+    bar.Title = "region"
+    bar.ComponentTitle = ""
+    bar.TitleColor = EDGE
+    bar.LabelColor = EDGE
+    bar.Visibility = 1
+
+
+def main(arguments):
+    parser = argparse.ArgumentParser(prog="view.py", description="shows the result beside this file")
+    parser.add_argument("--screenshot", metavar="FILE.png", help="write a picture and end")
+    options = parser.parse_args(arguments)
+
+    folder = this_folder()
+    manifest = read_manifest(folder)
+    file = root_file(folder, manifest)
+    reader = simple.OpenDataFile(file, registrationName=os.path.basename(file))
+    view = new_view()
+    simple.Hide(reader, view)
+
+    result = Result(reader, manifest, view)
+    lights = result.part("lights", "light")
+    blockers = result.part("blockers", "blocker")
+    result.show(lights, LIGHT, edges=True)
+    result.show(blockers, BLOCKER, edges=True)
+    result.show(result.part("receivers", "receiver"), RECEIVER, edges=True)
+    # Blocker faces lie on the blockers, a penumbra's supporting planes on the umbra.
+    umbrae = show_volume(result, "umbra", 0.55, (0,))
+    penumbrae = show_volume(result, "penumbra", 0.3, (0, 3))
+    names = [name for name, source in (("umbra", umbrae), ("penumbra", penumbrae)) if source is not None]
+    if names:
+        show_legend(view, region_colors(names))
+
+    # There to be switched on.
+    for hidden in (result.part("occlusion volumes", "volume", "occlusion"),
+                   result.part("extremal planes", "extremal_planes")):
+        if hidden is not None:
+            result.show(hidden, PLANE, 0.3, edges=True)
+            simple.Hide(hidden, view)
+
+    set_camera(view, up_axis(lights, blockers))
+    simple.Render(view)
+    if options.screenshot:
+        simple.SaveScreenshot(options.screenshot, view, ImageResolution=[1280, 960])
+
+
+main(sys.argv[1:] if "__file__" in globals() else [])

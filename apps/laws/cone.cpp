@@ -129,7 +129,8 @@ bool is_in_hull_of_vertex_shadows(const ExactVector& p, const std::vector<ExactV
   return is_in_cone(generators, lifted(p, 1));
 }
 
-bool rays_meet_blocker_in_parallel(const std::vector<ExactVector>& light, const std::vector<ExactVector>& blocker) {
+bool rays_meet_blocker_in_parallel(const std::vector<ExactVector>& light, const std::vector<ExactVector>& blocker,
+                                   const std::optional<ExactPlane>& along) {
   // Such a direction d falls toward the blocker's plane and stays on the blocker's side of every plane (l, edge). By
   // Farkas there is none exactly if the plane's normal is a combination of the normals of these.
   ExactPlane plane = plane_of(blocker);
@@ -142,6 +143,11 @@ bool rays_meet_blocker_in_parallel(const std::vector<ExactVector>& light, const 
       if (side.side(inner) < 0) side = side.reversed();
       inward.push_back({side.normal.x, side.normal.y, side.normal.z});
     }
+  }
+  if (along) {
+    const ExactVector& n = along->normal;
+    inward.push_back({n.x, n.y, n.z});
+    inward.push_back({Rational(-n.x), Rational(-n.y), Rational(-n.z)});
   }
   return !is_in_cone(inward, {plane.normal.x, plane.normal.y, plane.normal.z});
 }

@@ -2,6 +2,7 @@
 
 /// Membership in convex sets given by generators, decided exactly, and never believed without a certificate.
 
+#include <optional>
 #include <vector>
 
 #include "apps/laws/exact.h"
@@ -27,9 +28,11 @@ bool is_in_difference_cone(const ExactVector& p, const std::vector<ExactVector>&
 bool is_in_hull_of_vertex_shadows(const ExactVector& p, const std::vector<ExactVector>& light,
                                   const std::vector<ExactVector>& blocker);
 
-/// True if some direction other than zero leads from every light vertex, along a ray, to a point of the blocker.
+/// True if some direction other than zero leads from every light vertex, along a ray, to a point of the blocker; with
+/// a plane given, some direction that runs along it.
 ///
 /// Requires: the light strictly on one side of the plane of the flat blocker.
-bool rays_meet_blocker_in_parallel(const std::vector<ExactVector>& light, const std::vector<ExactVector>& blocker);
+bool rays_meet_blocker_in_parallel(const std::vector<ExactVector>& light, const std::vector<ExactVector>& blocker,
+                                   const std::optional<ExactPlane>& along = std::nullopt);
 
 }  // namespace gnomon::laws

@@ -38,12 +38,15 @@ void append_chain(const Outline& points, bool keep_collinear, Outline& outline) 
   outline.pop_back();
 }
 
-/// A convex outline with integer coordinates, counterclockwise; collinear vertices are kept now and then.
+/// A convex outline with small coordinates, integers or halves, counterclockwise; collinear vertices are kept now and then.
 Outline draw_outline() {
   if (once_in(3)) {
     const double width = draw(1, 3);
     const double height = draw(1, 3);
-    return {{0, 0}, {width, 0}, {width, height}, {0, height}};
+    Outline rectangle = {{0, 0}, {width, 0}, {width, height}, {0, height}};
+    if (once_in(3)) rectangle.insert(rectangle.begin() + 1, {width / 2, 0});
+    if (once_in(3)) rectangle.push_back({0, height / 2});
+    return rectangle;
   }
   Outline points;
   for (int left = draw(3, 8); left > 0; --left) {
@@ -67,7 +70,7 @@ bool parallel(const Point3& u, const Point3& v) {
   return u.y * v.z == u.z * v.y && u.z * v.x == u.x * v.z && u.x * v.y == u.y * v.x;
 }
 
-/// A convex polygon, flat because it is an integer combination of two integer vectors; a needle stretches the first.
+/// A convex polygon, flat because it is a combination of two integer vectors that needs no rounding; a needle stretches the first.
 Points draw_polygon(double stretch) {
   const Outline outline = draw_outline();
   const Point3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
@@ -87,6 +90,12 @@ Points draw_polygon(double stretch) {
   return points;
 }
 
+std::optional<ConvexPolygon> flat_polygon(const Points& points) {
+  if (points.size() < 3 || ConvexPolygon::defect(points)) return std::nullopt;
+  ConvexPolygon polygon = ConvexPolygon::from_points(points);
+  return polygon.is_flat() ? std::optional(polygon) : std::nullopt;
+}
+
 /// The light as a list of vertices, which are easier to move about.
 struct Emitter {
   Points points;
@@ -99,8 +108,8 @@ std::optional<Light> standing_apart(const Emitter& emitter, const ConvexPolygon&
   std::vector<Light> candidates;
   if (p.size() == 1) candidates = {PointLight{p[0]}};
   if (p.size() == 2) candidates = {LinearLight{p[0], p[1]}};
-  if (p.size() > 2 && !ConvexPolygon::defect(p)) {
-    candidates = {AreaLight{ConvexPolygon::from_points(p), emitter.two_sided},
+  if (const auto polygon = flat_polygon(p)) {
+    candidates = {AreaLight{*polygon, emitter.two_sided},
                   AreaLight{ConvexPolygon::from_points({p.rbegin(), p.rend()}), emitter.two_sided}};
   }
   for (const Light& light : candidates) {
@@ -174,16 +183,12 @@ Points mapped(Points points, Map map) {
 /// The pair after both have been mapped, or nothing if that is no pair in standard position.
 template <class LightMap, class BlockerMap>
 std::optional<Pair> mapped(const Pair& pair, LightMap light_map, BlockerMap blocker_map) {
-  const Points blocker = mapped({pair.blocker.points().begin(), pair.blocker.points().end()}, blocker_map);
-  if (ConvexPolygon::defect(blocker)) return std::nullopt;
-  ConvexPolygon polygon = ConvexPolygon::from_points(blocker);
-  if (!polygon.is_flat()) return std::nullopt;
+  const auto old = pair.blocker.points();
+  const auto blocker = flat_polygon(mapped({old.begin(), old.end()}, blocker_map));
+  if (!blocker) return std::nullopt;
   const auto* area = std::get_if<AreaLight>(&pair.light);
-  const auto light = standing_apart({mapped(light_points(pair.light), light_map), area && area->two_sided}, polygon);
-  if (!light) return std::nullopt;
-  const auto* mapped_area = std::get_if<AreaLight>(&*light);
-  if (mapped_area && !mapped_area->polygon.is_flat()) return std::nullopt;
-  return Pair{*light, polygon};
+  const auto light = standing_apart({mapped(light_points(pair.light), light_map), area && area->two_sided}, *blocker);
+  return light ? std::optional(Pair{*light, *blocker}) : std::nullopt;
 }
 
 void replace_if(Pair& pair, const std::optional<Pair>& bent) {

@@ -1,7 +1,7 @@
 #include "apps/laws/planar_laws.h"
 
 #include <algorithm>
-#include <utility>
+#include <array>
 
 #include "apps/laws/law_entry.h"
 #include "apps/laws/planar_cases.h"
@@ -289,15 +289,26 @@ Verdict check_regions(const PlanarCase& drawn, const Subject& subject, const Sha
                  verdict(agrees(regions.occlusion, p, f < 1), "the occlusion differs"), check_point(drawn, subject)});
 }
 
-/// The smallest of the blocked fractions close to the blocker's middle on both sides, and the largest.
-std::pair<Rational, Rational> fractions_beside_blocker(const PlanarCase& drawn) {
+/// The visible fractions beside the blocker's middle on both sides, in order.
+struct Fractions {
+  Rational least;
+  Rational most;
+};
+
+Fractions fractions_beside_blocker(const PlanarCase& drawn, int halvings) {
   const Figure figure(drawn);
   const ExactVector edge = figure.blocker[1] - figure.blocker[0];
   ExactVector step{Rational(-edge.y), edge.x, 0};
-  for (int i = 0; i < 400; ++i) step = Rational(1, 2) * step;
+  for (int i = 0; i < halvings; ++i) step = Rational(1, 2) * step;
   const Rational left = fraction(drawn, figure.blocker_middle() + step);
   const Rational right = fraction(drawn, figure.blocker_middle() - step);
   return {std::min(left, right), std::max(left, right)};
+}
+
+/// True if a claim holds beside the blocker, at the latest so close to it that no difference of doubles matters.
+bool beside_blocker(const PlanarCase& drawn, bool (*claim)(const Fractions&)) {
+  return std::ranges::any_of(std::array{20, 400, 3000},
+                             [&](int halvings) { return claim(fractions_beside_blocker(drawn, halvings)); });
 }
 
 bool has_counts(const ShadowRegions& regions, std::uint32_t umbrae, std::uint32_t penumbrae) {
@@ -307,9 +318,9 @@ bool has_counts(const ShadowRegions& regions, std::uint32_t umbrae, std::uint32_
 
 /// The blocker's line meets the inside of the light.
 Verdict check_crossed_light(const PlanarCase& drawn, const ShadowRegions& regions) {
-  const auto [least, most] = fractions_beside_blocker(drawn);
+  const auto partial_twice = [](const Fractions& f) { return is_partial(f.least) && is_partial(f.most); };
   return all_of({verdict(fraction(drawn, exact(drawn.point)) > 0, "f = 0 somewhere"),
-                 verdict(is_partial(least) && is_partial(most), "no penumbra on a side"),
+                 verdict(beside_blocker(drawn, partial_twice), "no penumbra on a side"),
                  verdict(has_counts(regions, 0, 2), "another number of regions")});
 }
 
@@ -317,13 +328,14 @@ Verdict check_crossed_light(const PlanarCase& drawn, const ShadowRegions& region
 Verdict check_touching_light(const PlanarCase& drawn, const ShadowRegions& regions, const ExactVector& touching) {
   const Figure figure(drawn);
   const Rational to_ends = dot(figure.blocker[0] - touching, figure.blocker[1] - touching);
-  const auto [least, most] = fractions_beside_blocker(drawn);
+  const auto partial = [](const Fractions& f) { return is_partial(f.least) && f.most == 1; };
+  const auto dark = [](const Fractions& f) { return f.least == 0 && f.most == 1; };
   if (to_ends > 0) {
     return all_of({verdict(fraction(drawn, exact(drawn.point)) > 0, "f = 0 somewhere"),
-                   verdict(is_partial(least) && most == 1, "no penumbra behind the blocker"),
+                   verdict(beside_blocker(drawn, partial), "no penumbra behind the blocker"),
                    verdict(has_counts(regions, 0, 1), "another number of regions")});
   }
-  return all_of({verdict(least == 0 && most == 1, "no umbra behind the blocker"),
+  return all_of({verdict(beside_blocker(drawn, dark), "no umbra behind the blocker"),
                  verdict(has_counts(regions, 1, to_ends < 0 ? 2 : 1), "another number of regions")});
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <string>
 
 #include "apps/laws/cone.h"
 #include "apps/laws/definition.h"
@@ -210,6 +211,24 @@ Verdict check_unbounded_penumbra(const SpatialCase& drawn, const Subject& subjec
   return verdict(found, "every edge has one extremal plane only");
 }
 
+/// How many tangent planes through the line of a linear light hold a blocker edge and an unbounded part of the umbra.
+std::size_t closed_off_planes(const SpatialCase& drawn) {
+  const Polygon light = vertices(drawn.light);
+  const Polygon blocker = exact(drawn.blocker.points());
+  return std::size_t(std::ranges::count_if(sides(blocker), [&](const PolygonSide& edge) {
+    const ExactPlane plane = plane_through(edge.from, edge.to, light[0]);
+    return plane.side(light[1]) == 0 && rays_meet_blocker_in_parallel(light, blocker, plane);
+  }));
+}
+
+Verdict check_penumbra_components(const SpatialCase& drawn, const Subject& subject) {
+  const bool line_misses =
+      std::holds_alternative<LinearLight>(drawn.light) && plane_counts(drawn.light, drawn.blocker).light_sides == 2;
+  const std::uint32_t expected = line_misses && closed_off_planes(drawn) == 2 ? 2 : 1;
+  const VolumeFacts facts = subject.shadow_volumes(drawn.light, drawn.blocker).penumbra_facts;
+  return verdict(facts.components == expected, "expected " + std::to_string(expected) + " penumbra volumes");
+}
+
 /// The generator of laws about those lights.
 auto pairs(Lights lights) {
   return [lights](Domain domain) { return spatial_cases(domain, lights); };
@@ -258,6 +277,10 @@ std::vector<Law> spatial_laws() {
            "The penumbra of an area or linear light is unbounded: rays leave a blocker's edge on which 0 < f < 1 "
            "everywhere. That of a point light is empty."},
           pairs(Lights::all), check_unbounded_penumbra),
+      law({"S14", "own",
+           "The penumbra of an area light is one, that of a linear light one too, or two exactly when its line misses "
+           "the blocker and both tangent planes through it hold a blocker edge and an unbounded part of the umbra."},
+          pairs(Lights::with_extent), check_penumbra_components),
   };
 }
 

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <array>
 #include <functional>
 
+#include "geometry/planar/extremal_lines.h"
+#include "geometry/planar/region_of.h"
+#include "geometry/planar/regions.h"
 #include "geometry/spatial/shadow_volume.h"
 
 namespace gnomon::laws {
@@ -10,6 +14,10 @@ namespace gnomon::laws {
 struct Subject {
   std::function<ExtremalPlanes(const Light&, const ConvexPolygon&)> extremal_planes = gnomon::extremal_planes;
   std::function<ShadowVolumes(const Light&, const ConvexPolygon&)> shadow_volumes = gnomon::shadow_volumes;
+  std::function<std::array<planar::ExtremalLine, 4>(const planar::Pair&)> planar_extremal_lines =
+      planar::extremal_lines;
+  std::function<planar::ShadowRegions(const planar::Pair&)> planar_regions = planar::shadow_regions;
+  std::function<Region(const planar::Pair&, const Point2&)> planar_region_of = planar::region_of;
 };
 
 }  // namespace gnomon::laws

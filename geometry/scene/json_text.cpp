@@ -61,6 +61,15 @@ std::string_view word_at(std::string_view text, std::size_t offset) {
   return text.substr(start, text.find_first_of(ends, offset) - start);
 }
 
+/// True for the numbers that are none, as programs write them: NaN, -Infinity.
+bool is_not_finite(std::string_view word) {
+  std::string lower;
+  for (const char c : word.substr(word.starts_with('-') || word.starts_with('+') ? 1 : 0)) {
+    lower += static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  }
+  return lower == "nan" || lower == "inf" || lower == "infinity";
+}
+
 /// Builds the document and refuses what a scene must not contain.
 class DocumentBuilder : public nlohmann::json_sax<json> {
  public:
@@ -98,7 +107,9 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
     const std::string_view what = error.what();
     const std::size_t reason = std::min(what.find("syntax error"), what.size());
     std::string message = source_ + ": " + line_and_column(text_, offset) + place() + ": ";
-    if (offset == text_.size()) {
+    if (is_not_finite(word)) {
+      message += "found " + printable_bytes(word, 40) + "; expected a finite number";
+    } else if (offset == text_.size()) {
       message += "found the end of the text; expected more: the JSON is not complete";
     } else {
       if (!word.empty()) message += "found " + printable_bytes(word, 40) + ": ";

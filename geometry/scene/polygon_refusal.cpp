@@ -64,10 +64,10 @@ bool is_simple(const std::vector<FlatPoint>& ring) {
   return CGAL::is_simple_2(ring.begin(), ring.end(), InputKernel());
 }
 
-std::string not_convex_text(std::span<const Point3> points) {
+/// ` (edges 0 and 2 meet)`, or nothing if the boundary is simple.
+std::string crossing_text(std::span<const Point3> points) {
   const std::vector<FlatPoint> ring = projections(points);
-  if (is_simple(ring)) return "a boundary that turns the other way here";
-  return "a boundary that turns the other way here and crosses itself (" + crossing_edges(ring) + ")";
+  return is_simple(ring) ? "" : " (" + crossing_edges(ring) + ")";
 }
 
 }  // namespace
@@ -86,11 +86,13 @@ std::optional<PolygonRefusal> convex_polygon_refusal(std::span<const Point3> poi
     case PolygonDefect::Kind::not_coplanar:
       return not_coplanar(defect->vertex, defect->deviation);
     case PolygonDefect::Kind::not_convex:
-      return PolygonRefusal{defect->vertex, not_convex_text(points), std::string(convex)};
+      return PolygonRefusal{defect->vertex, "a boundary that turns the other way here" + crossing_text(points),
+                            std::string(convex)};
     case PolygonDefect::Kind::self_crossing:
       break;
   }
-  return PolygonRefusal{defect->vertex, "a boundary that goes round more than once or runs back on itself",
+  return PolygonRefusal{defect->vertex,
+                        "a boundary that goes round more than once or runs back on itself" + crossing_text(points),
                         std::string(convex)};
 }
 

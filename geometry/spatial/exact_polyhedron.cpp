@@ -133,6 +133,11 @@ VertexId ExactSpace::add_direction(const Point3& from, const Point3& to, std::ve
   return add_input(true, from, to, std::move(planes));
 }
 
+VertexId ExactSpace::add_copy(VertexId vertex) {
+  vertices_.push_back(Vertex(vertices_[vertex]));
+  return static_cast<VertexId>(vertices_.size() - 1);
+}
+
 VertexId ExactSpace::add_meet(bool direction, PlaneId a, PlaneId b, PlaneId c) {
   Vertex vertex;
   vertex.direction = direction;
@@ -140,7 +145,8 @@ VertexId ExactSpace::add_meet(bool direction, PlaneId a, PlaneId b, PlaneId c) {
   vertex.approximate = meet(planes_[a].approximate, planes_[b].approximate, planes_[c].approximate);
   vertices_.push_back(vertex);
   const auto id = static_cast<VertexId>(vertices_.size() - 1);
-  const Interval key = vertex.direction ? -value(planes_[downward].approximate, vertex.approximate) : vertex.approximate[3];
+  const Interval key =
+      vertex.direction ? -value(planes_[downward].approximate, vertex.approximate) : vertex.approximate[3];
   const std::optional<int> sign = certain_sign(key);
   if (!sign) {
     vertices_[id].approximate = enclosing(exact_vertex(id));
@@ -213,8 +219,8 @@ int ExactSpace::turn(PlaneId plane, VertexId a, VertexId b, VertexId c) const {
     while (exact[axis] == 0) axis = (axis + 1) % 3;
     facing = CGAL::sign(exact[axis]);
   }
-  const std::optional<int> sign = certain_sign(
-      projected_turn(axis, vertices_[a].approximate, vertices_[b].approximate, vertices_[c].approximate));
+  const std::optional<int> sign =
+      certain_sign(projected_turn(axis, vertices_[a].approximate, vertices_[b].approximate, vertices_[c].approximate));
   if (sign) return *facing * *sign;
   return *facing * CGAL::sign(projected_turn(axis, exact_vertex(a), exact_vertex(b), exact_vertex(c)));
 }
@@ -227,7 +233,9 @@ struct CutEdge {
   VertexId vertex = 0;
 };
 
-std::uint64_t edge_key(VertexId a, VertexId b) { return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b); }
+std::uint64_t edge_key(VertexId a, VertexId b) {
+  return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
+}
 
 /// The loop of the cut: the polyhedron's remaining faces border it along their edges in the plane, the other way round.
 std::vector<VertexId> cap_loop(const std::unordered_map<VertexId, VertexId>& successor) {

@@ -54,6 +54,9 @@ class ExactSpace {
   VertexId add_point(const Point3& point, std::vector<PlaneId> planes);
   VertexId add_direction(const Point3& from, const Point3& to, std::vector<PlaneId> planes);
 
+  /// Another vertex at the same place.
+  VertexId add_copy(VertexId vertex);
+
   const FacetName& name(PlaneId plane) const { return planes_[plane].name; }
   const Quadruple<Rational>& exact_plane(PlaneId plane) const;
   const Quadruple<Rational>& exact_vertex(VertexId vertex) const;

@@ -101,9 +101,13 @@ StandardPair standard_pair(const Light& light, const ConvexPolygon& blocker) {
   return pair;
 }
 
-std::vector<TouchedCorners> separating_contacts(const StandardPair& pair) { return contacts(pair, -1); }
+std::vector<TouchedCorners> separating_contacts(const StandardPair& pair) {
+  return contacts(pair, -1);
+}
 
-std::vector<TouchedCorners> supporting_contacts(const StandardPair& pair) { return contacts(pair, +1); }
+std::vector<TouchedCorners> supporting_contacts(const StandardPair& pair) {
+  return contacts(pair, +1);
+}
 
 bool light_line_meets_blocker(const StandardPair& pair) {
   if (pair.light.size() != 2) return false;

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "geometry/spatial/difference_triangulation.h"
+#include "geometry/spatial/split_fans.h"
 
 namespace gnomon {
 namespace {
@@ -76,14 +77,16 @@ ConvexPolyhedron with_shared_vertices(const ExactSpace& space, ConvexPolyhedron 
 /// An edge of the occlusion by the two planes (as CommonPlanes names them) that meet in it.
 using EdgeName = std::array<PlaneId, 2>;
 
-EdgeName edge_name(PlaneId a, PlaneId b) { return {std::min(a, b), std::max(a, b)}; }
+EdgeName edge_name(PlaneId a, PlaneId b) {
+  return {std::min(a, b), std::max(a, b)};
+}
 
 /// For each edge of the occlusion the umbra's vertices strictly inside it, in lexicographic order.
 using EdgeVertices = std::map<EdgeName, std::vector<VertexId>>;
 
 EdgeVertices umbra_vertices_on_edges(const ExactSpace& space, const CommonPlanes& planes,
-                                     const std::vector<VertexId>& occlusion_vertices, const std::set<PlaneId>& occlusion,
-                                     const ConvexPolyhedron& umbra) {
+                                     const std::vector<VertexId>& occlusion_vertices,
+                                     const std::set<PlaneId>& occlusion, const ConvexPolyhedron& umbra) {
   std::map<VertexId, std::set<PlaneId>> planes_of_vertex;
   for (const Face& face : umbra.faces) {
     const PlaneId plane = planes.of(face);
@@ -143,7 +146,7 @@ ExactSurface surface(const ConvexPolyhedron& polyhedron) {
   return result;
 }
 
-ExactSurface penumbra_surface(const ExactSpace& space, const ConvexPolyhedron& occlusion, const ConvexPolyhedron& umbra,
+ExactSurface penumbra_surface(ExactSpace& space, const ConvexPolyhedron& occlusion, const ConvexPolyhedron& umbra,
                               const ShadowPolyhedra& polyhedra, const PairHalfSpaces& half_spaces,
                               const std::array<PlaneId, 6>& box) {
   if (umbra.empty()) return surface(occlusion);
@@ -168,15 +171,16 @@ ExactSurface penumbra_surface(const ExactSpace& space, const ConvexPolyhedron& o
     const PlaneId plane = planes.of(face);
     const Loop loop = refined_loop(space, face, plane, neighbours, edge_vertices);
     const auto hole = inner_faces.find(plane);
-    Triangles triangles = hole == inner_faces.end()
-                              ? convex_triangles(space, face.plane, loop)
-                              : difference_triangles(space, face.plane, loop, hole->second->loop);
+    Triangles triangles = hole == inner_faces.end() ? convex_triangles(space, face.plane, loop)
+                                                    : difference_triangles(space, face.plane, loop, hole->second->loop);
     if (!triangles.empty()) result.facets.push_back({face.plane, std::move(triangles)});
   }
+  const std::size_t first_inner = result.facets.size();
   for (const auto& [plane, face] : inner_faces) {
     if (occlusion_planes.count(plane)) continue;
     result.facets.push_back({face->plane, turned(convex_triangles(space, face->plane, face->loop))});
   }
+  split_fans(space, result, first_inner);
   return result;
 }
 

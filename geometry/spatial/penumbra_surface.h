@@ -23,9 +23,10 @@ ExactSurface surface(const ConvexPolyhedron& polyhedron);
 ///
 /// Definition: facets of the occlusion, and those of the umbra turned inward; where both have a facet in one plane
 ///             (the blocker, the box, a plane that holds a linear light) the difference of the two polygons.
-///             No new vertices are made, and no vertex lies inside an edge.
+///             No vertex lies inside an edge. Where the surface touches itself along an edge or at a vertex, it
+///             has a copy of the vertices for each of its sheets.
 /// Requires:   the umbra is part of the occlusion, as for every pair; both bounded.
-ExactSurface penumbra_surface(const ExactSpace& space, const ConvexPolyhedron& occlusion, const ConvexPolyhedron& umbra,
+ExactSurface penumbra_surface(ExactSpace& space, const ConvexPolyhedron& occlusion, const ConvexPolyhedron& umbra,
                               const ShadowPolyhedra& polyhedra, const PairHalfSpaces& half_spaces,
                               const std::array<PlaneId, 6>& box);
 

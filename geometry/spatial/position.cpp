@@ -51,9 +51,9 @@ void require_flat(const Light& light, const ConvexPolygon& blocker) {
 }  // namespace
 
 std::string_view name(Position position) {
-  constexpr std::string_view names[] = {"standard",   "light_crosses_blocker_plane", "blocker_crosses_light_plane",
-                                        "both_cross", "touching",                    "coplanar",
-                                        "behind_light"};
+  constexpr std::string_view names[] = {
+      "standard",    "light_crosses_blocker_plane", "blocker_crosses_light_plane", "both_cross", "touching", "coplanar",
+      "behind_light"};
   return names[static_cast<int>(position)];
 }
 

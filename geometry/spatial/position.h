@@ -9,13 +9,14 @@ namespace gnomon {
 /// How a light and a flat blocker stand to each other. The first that holds, in this order, is the pair's position:
 /// coplanar, behind_light, both_cross, light_crosses_blocker_plane, blocker_crosses_light_plane, touching, standard.
 enum class Position {
-  standard,                     ///< the light strictly on one side of the blocker's plane, and the blocker strictly in front of an area light
+  standard,  ///< the light strictly on one side of the blocker's plane, and the blocker strictly in front of an area
+             ///< light
   light_crosses_blocker_plane,  ///< the light has points strictly on both sides of the blocker's plane
   blocker_crosses_light_plane,  ///< the blocker has points strictly on both sides of an area light's plane
   both_cross,                   ///< both of these
-  touching,                     ///< nothing crosses, but the light reaches the blocker's plane, or the blocker the light's
-  coplanar,                     ///< the light lies in the blocker's plane
-  behind_light,                 ///< no point of the blocker strictly in front of a one-sided area light
+  touching,      ///< nothing crosses, but the light reaches the blocker's plane, or the blocker the light's
+  coplanar,      ///< the light lies in the blocker's plane
+  behind_light,  ///< no point of the blocker strictly in front of a one-sided area light
 };
 
 /// The position's name as scripts read it.

@@ -14,9 +14,9 @@ std::vector<HalfSpace> blocker_half_spaces(const StandardPair& pair, const std::
   std::vector<HalfSpace> half_spaces(contacts.size());
   for (std::uint32_t k = 0; k < contacts.size(); ++k) {
     const BlockerPlane plane = blocker_plane(pair, k, contacts[k]);
-    half_spaces[k] = {facet_name(kind, number(plane.edge), number(plane.vertex)),
-                      {pair.blocker.corner(k), pair.blocker.corner(pair.blocker.next(k)),
-                       pair.light.corner(contacts[k].first)}};
+    half_spaces[k] = {
+        facet_name(kind, number(plane.edge), number(plane.vertex)),
+        {pair.blocker.corner(k), pair.blocker.corner(pair.blocker.next(k)), pair.light.corner(contacts[k].first)}};
   }
   return half_spaces;
 }
@@ -103,9 +103,9 @@ ConvexPolyhedron umbra_polyhedron(ExactSpace& space, const StandardPair& pair, c
   const std::uint32_t size = pair.blocker.size();
   std::vector<VertexId> directions;
   for (std::uint32_t k = 0; k < size; ++k) {
-    directions.push_back(space.add_direction(pair.light.corner(0), pair.blocker.corner(k),
-                                             {ExactSpace::at_infinity, first_corner_sides[k],
-                                              first_corner_sides[pair.blocker.previous(k)]}));
+    directions.push_back(space.add_direction(
+        pair.light.corner(0), pair.blocker.corner(k),
+        {ExactSpace::at_infinity, first_corner_sides[k], first_corner_sides[pair.blocker.previous(k)]}));
   }
   ConvexPolyhedron result;
   result.faces.push_back({ExactSpace::downward, corners});
@@ -129,9 +129,8 @@ std::vector<PlaneId> add_first_corner_sides(ExactSpace& space, const StandardPai
     const TouchedCorners& touched = supporting_contacts[k];
     if (touched.holds_light || touched.first == 0 || touched.last == 0) continue;
     const FacetName& name = space.name(supporting[k]);
-    planes[k] = space.add_plane({name,
-                                 {pair.blocker.corner(k), pair.blocker.corner(pair.blocker.next(k)),
-                                  pair.light.corner(0)}});
+    planes[k] = space.add_plane(
+        {name, {pair.blocker.corner(k), pair.blocker.corner(pair.blocker.next(k)), pair.light.corner(0)}});
   }
   return planes;
 }
@@ -142,8 +141,7 @@ PairHalfSpaces::PairHalfSpaces(const StandardPair& pair)
     : separating(separating_contacts(pair)),
       supporting(supporting_contacts(pair)),
       light_sides(separating_light_contacts(pair, separating)),
-      blocker_face{{FacetKind::blocker_face},
-                   {pair.blocker.corner(0), pair.blocker.corner(1), pair.blocker.corner(2)}},
+      blocker_face{{FacetKind::blocker_face}, {pair.blocker.corner(0), pair.blocker.corner(1), pair.blocker.corner(2)}},
       separating_blocker(blocker_half_spaces(pair, separating, FacetKind::separating_blocker_plane)),
       supporting_blocker(blocker_half_spaces(pair, supporting, FacetKind::supporting_blocker_plane)) {
   for (const LightSideContact& contact : light_sides) separating_light.push_back(light_half_space(pair, contact));

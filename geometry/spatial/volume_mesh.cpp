@@ -147,8 +147,7 @@ ShadowMeshes shadow_meshes(const Light& light, const ConvexPolygon& blocker, con
   meshes.umbra = volume_mesh(space, surface(umbra));
   if (!umbra.empty()) meshes.umbra_cells = volume_cells(space, {umbra});
   if (pair.light.size() > 1) {  // a point light has no penumbra
-    meshes.penumbra =
-        volume_mesh(space, penumbra_surface(space, occlusion, umbra, polyhedra, half_spaces, sides));
+    meshes.penumbra = volume_mesh(space, penumbra_surface(space, occlusion, umbra, polyhedra, half_spaces, sides));
     meshes.penumbra_cells = volume_cells(space, penumbra_cells(space, occlusion, polyhedra.supporting_blocker));
   }
   const ConvexPolyhedron whole_box = space.box(box, sides);

@@ -15,7 +15,8 @@ ConvexPolygon square(double half, double z) {
 
 /// The corners of a square, counterclockwise seen from above.
 void add_corners(std::vector<Point3>& points, double half, double z) {
-  for (const Point3& p : square(half, z).points()) points.push_back(p);
+  const ConvexPolygon corners = square(half, z);
+  points.insert(points.end(), corners.points().begin(), corners.points().end());
 }
 
 void add_quadrangle(VolumeMesh& mesh, const std::array<std::uint32_t, 4>& corners, FacetName name) {

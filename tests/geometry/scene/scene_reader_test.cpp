@@ -1,0 +1,208 @@
+#include "geometry/scene/scene_reader.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <limits>
+
+namespace gnomon {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const std::filesystem::path scenes = std::filesystem::path(GNOMON_TEST_DATA) / "scenes";
+
+Scene good_scene(const std::string& name) { return read_scene(scenes / "good" / (name + ".scene.json")); }
+
+std::string message_of(const std::string& text) {
+  try {
+    parse_scene(text, "test.scene.json", {});
+  } catch (const SceneError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+std::string scene_with_table(const std::string& vertices) {
+  return R"({"gnomon": 1, "dimension": 3, "lights": [], "blockers": [{"name": "table", "shape": "polygon", "vertices": )" +
+         vertices + "}]}";
+}
+
+TEST(SceneReader, ReadsEveryShapeOfSpace) {
+  const Scene scene = good_scene("everything_in_space");
+  EXPECT_EQ(scene.dimension, 3);
+  EXPECT_EQ(scene.length_unit, "cm");
+  ASSERT_EQ(scene.lights.size(), 4u);
+  const auto& lamp = std::get<AreaLight>(scene.lights[0].shape);
+  EXPECT_TRUE(lamp.two_sided);
+  EXPECT_EQ(lamp.polygon.points()[1], (Point3{-1, 1, 4}));
+  EXPECT_EQ(scene.lights[0].strength, 2.5);
+  EXPECT_EQ(std::get<LinearLight>(scene.lights[1].shape).end, (Point3{3, 0, 5}));
+  EXPECT_EQ(std::get<PointLight>(scene.lights[2].shape).position, (Point3{0, 0, 5}));
+  EXPECT_EQ(std::get<DirectionalLight>(scene.lights[3].shape).direction, (Point3{0, 0, -1}));
+  EXPECT_EQ(scene.lights[3].strength, 0.5);
+  ASSERT_EQ(scene.blockers.size(), 4u);
+  EXPECT_THAT(std::get<ConvexPolygon>(scene.blockers[0].shape).corners(), ElementsAre(0, 2, 3, 4));
+  EXPECT_EQ(std::get<Polytope>(scene.blockers[1].shape).vertices.size(), 4u);
+  EXPECT_EQ(std::get<ConcavePolygon>(scene.blockers[2].shape).vertices.size(), 4u);
+  EXPECT_TRUE(std::get<Mesh>(scene.blockers[3].shape).closed);
+  ASSERT_EQ(scene.receivers.size(), 1u);
+  EXPECT_EQ(scene.receivers[0].name, "floor");
+  EXPECT_THAT(scene.doubts, IsEmpty());
+}
+
+TEST(SceneReader, ReadsEveryShapeOfThePlane) {
+  const Scene scene = good_scene("everything_in_the_plane");
+  EXPECT_EQ(scene.dimension, 2);
+  EXPECT_EQ(scene.length_unit, "m");
+  ASSERT_EQ(scene.planar_lights.size(), 2u);
+  EXPECT_THAT(scene.planar_lights[0].vertices, ElementsAre(Point2{0, 5}, Point2{3, 5}));
+  EXPECT_EQ(scene.planar_lights[0].strength, 1.5);
+  EXPECT_THAT(scene.planar_lights[1].vertices, ElementsAre(Point2{0, 5}));
+  ASSERT_EQ(scene.planar_blockers.size(), 2u);
+  EXPECT_EQ(scene.planar_blockers[1].vertices.size(), 4u);
+  EXPECT_EQ(scene.planar_receivers.size(), 1u);
+  EXPECT_THAT(scene.lights, IsEmpty());
+  EXPECT_THAT(scene.doubts, IsEmpty());
+}
+
+TEST(SceneReader, AcceptsARoundedPolygonWithADoubtThatTellsItsDeviation) {
+  const Scene scene = good_scene("rounded_polygon");
+  EXPECT_FALSE(std::get<ConvexPolygon>(scene.blockers[0].shape).is_flat());
+  EXPECT_THAT(scene.doubts, Contains(AllOf(HasSubstr("blocker \"table\""), HasSubstr("deviate"), HasSubstr("e-17 m"))));
+}
+
+TEST(SceneReader, DoubtsWhatLooksLikeAMistake) {
+  const Scene scene = good_scene("doubtful");
+  EXPECT_THAT(scene.doubts, Contains(AllOf(HasSubstr("light \"wrong_way_round\""), HasSubstr("no blocker is in front"))));
+  EXPECT_THAT(scene.doubts, Contains(AllOf(HasSubstr("light \"off\""), HasSubstr("strength is 0"))));
+  EXPECT_THAT(scene.doubts, Contains(AllOf(HasSubstr("blocker \"copy\""), HasSubstr("those of blocker \"table\""))));
+  EXPECT_THAT(scene.doubts, Contains(AllOf(HasSubstr("blocker \"sheet\""), HasSubstr("not closed"))));
+  EXPECT_EQ(scene.doubts.size(), 4u);
+}
+
+TEST(SceneReader, AcceptsASceneOfNothingWithDoubts) {
+  EXPECT_THAT(good_scene("nothing_in_it").doubts, ElementsAre(HasSubstr("no light"), HasSubstr("no blocker")));
+}
+
+TEST(SceneReader, RemembersTheFileAsTheUserNamedIt) {
+  const auto file = scenes / "good" / "nothing_in_it.scene.json";
+  EXPECT_EQ(read_scene(file).source, file.string());
+}
+
+TEST(SceneReader, TheDefaultSceneIsATriangleAboveARectangleAboveAFloorWithoutDoubts) {
+  const Scene scene = parse_scene(default_scene_text(), "default", {});
+  EXPECT_EQ(scene.source, "default");
+  ASSERT_EQ(scene.lights.size(), 1u);
+  ASSERT_EQ(scene.blockers.size(), 1u);
+  ASSERT_EQ(scene.receivers.size(), 1u);
+  const auto& light = std::get<AreaLight>(scene.lights[0].shape).polygon;
+  const auto& blocker = std::get<ConvexPolygon>(scene.blockers[0].shape);
+  EXPECT_EQ(light.corners().size(), 3u);
+  EXPECT_EQ(blocker.corners().size(), 4u);
+  EXPECT_GT(light.points()[0].z, blocker.points()[0].z);
+  EXPECT_GT(blocker.points()[0].z, scene.receivers[0].shape.points()[0].z);
+  EXPECT_THAT(scene.doubts, IsEmpty());
+}
+
+TEST(SceneReader, ReadsTheExampleScenes) {
+  const std::filesystem::path examples = std::filesystem::path(GNOMON_TEST_DATA) / ".." / ".." / "examples";
+  const Scene box = read_scene(examples / "cornell_box.scene.json");
+  EXPECT_EQ(box.blockers.size(), 10u);
+  EXPECT_EQ(box.receivers.size(), 3u);
+  EXPECT_EQ(read_scene(examples / "figure_4_22.scene.json").blockers.size(), 1u);
+}
+
+RC_GTEST_PROP(SceneReaderProperty, ReadsEveryFiniteDoubleAsItself, ()) {
+  const double x = *rc::gen::suchThat(rc::gen::map(rc::gen::arbitrary<std::uint64_t>(),
+                                                   [](std::uint64_t bits) { return std::bit_cast<double>(bits); }),
+                                      [](double value) { return std::isfinite(value); });
+  std::array<char, 40> digits{};
+  std::snprintf(digits.data(), digits.size(), "%.17g", x);
+  const std::string text = std::string(R"({"gnomon": 1, "dimension": 3, "lights": [{"name": "bulb", "shape": "point",)") +
+                           R"("position": [)" + digits.data() + R"(, 0, 1]}], "blockers": []})";
+  RC_ASSERT(std::get<PointLight>(parse_scene(text, "test", {}).lights[0].shape).position.x == x);
+}
+
+TEST(SceneReader, ReadsTheNearestDoubleOfLongAndTinyNumbers) {
+  const auto first = [](const std::string& number) {
+    const std::string text = R"({"gnomon": 1, "dimension": 3, "lights": [{"name": "bulb", "shape": "point", "position": [)" +
+                             number + R"(, 0, 1]}], "blockers": []})";
+    return std::get<PointLight>(parse_scene(text, "test", {}).lights[0].shape).position.x;
+  };
+  EXPECT_EQ(first("9007199254740993"), 9007199254740992.0);
+  EXPECT_EQ(first("123456789012345678901234567890"), 123456789012345678901234567890.0);
+  EXPECT_EQ(first("-9223372036854775808"), -0x1p63);
+  EXPECT_EQ(first("4.9e-324"), std::numeric_limits<double>::denorm_min());
+  EXPECT_EQ(first("1e-400"), 0);
+  EXPECT_EQ(first("0.1"), 0.1);
+}
+
+TEST(SceneReader, RefusesARepeatedVertexByNameAndIndex) {
+  EXPECT_THAT(message_of(scene_with_table("[[0,0,1],[1,0,1],[1,1,1],[1,0,1]]")),
+              AllOf(HasSubstr("test.scene.json"), HasSubstr("/blockers/0/vertices/3"), HasSubstr("blocker \"table\""),
+                    HasSubstr("(1, 0, 1)"), HasSubstr("vertex 1")));
+}
+
+TEST(SceneReader, RefusesAHundredThousandNestedBrackets) {
+  const std::size_t depth = 100000;
+  const std::string opening(depth, '[');
+  EXPECT_THAT(message_of(opening), HasSubstr("nested more than"));
+  EXPECT_THAT(message_of(opening + std::string(depth, ']')), HasSubstr("nested more than"));
+  std::string objects = R"({"gnomon": 1, "lights": )";
+  for (std::size_t i = 0; i < depth; ++i) objects += R"({"a":)";
+  EXPECT_THAT(message_of(objects), AllOf(HasSubstr("/lights/a/a"), HasSubstr("nested more than")));
+}
+
+TEST(SceneReader, EscapesWhatIsNotPrintableInMessages) {
+  EXPECT_THAT(message_of(R"({"gnomon": 1, "dimension": 3, "lights": [], "blockers": [], "a\u001b[31m/b~": 1})"),
+              AllOf(HasSubstr("/a\\x1b[31m~1b~0"), Not(HasSubstr("\x1b"))));
+}
+
+TEST(SceneReader, CutsLongTextsInMessages) {
+  const std::string name(100000, 'n');
+  EXPECT_LT(message_of(R"({"gnomon": 1, ")" + name + R"(": 1, "dimension": 3})").size(), 500u);
+  EXPECT_LT(message_of("[" + name).size(), 500u);
+  EXPECT_LT(message_of("[\"" + name).size(), 500u);
+}
+
+TEST(SceneReader, RefusesAFileThatIsTooLargeWithoutReadingItAll) {
+  const auto file = std::filesystem::temp_directory_path() / "gnomon_large_scene_test.scene.json";
+  { std::ofstream(file) << ' '; }
+  std::filesystem::resize_file(file, std::uintmax_t{1} << 30);  // sparse: it takes no room
+  try {
+    read_scene(file);
+    FAIL() << "accepted";
+  } catch (const SceneError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("a file of more than 64 MiB"));
+  }
+  std::filesystem::remove(file);
+}
+
+TEST(SceneReader, RefusesAMissingFileAndAFolder) {
+  try {
+    read_scene(scenes / "no_such.scene.json");
+    FAIL() << "accepted";
+  } catch (const SceneError& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("no_such.scene.json"), HasSubstr("no such file")));
+  }
+  try {
+    read_scene(scenes);
+    FAIL() << "accepted";
+  } catch (const SceneError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("a folder"));
+  }
+}
+
+}  // namespace
+}  // namespace gnomon
