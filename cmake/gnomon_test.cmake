@@ -18,6 +18,7 @@ function(gnomon_test name)
   add_executable(${name} ${arg_SOURCES})
   gnomon_target(${name})
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} GTest::gmock_main rapidcheck_gtest)
+  gnomon_precompile(${name} <gmock/gmock.h> <gtest/gtest.h> <rapidcheck/gtest.h>)
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60
     PROPERTIES LABELS ${arg_LABEL} ENVIRONMENT "RC_PARAMS=${GNOMON_RC_PARAMS}")
   if(arg_LABEL STREQUAL "unit")

@@ -98,7 +98,7 @@ ListedResult read_manifest(const std::filesystem::path& directory) {
   try {
     ListedResult result;
     result.scene = json.at("field_data").at("scene").at(0);
-    result.length_unit = json.at("field_data").at("length_unit").at(0);
+    for (const Json& pair : json.at("pairs")) result.complete = result.complete && pair.at("supported").get<bool>();
     for (const Json& block : json.at("blocks")) {
       const Json& name = block.at("file");
       result.blocks.push_back({block.at("path"), block.at("kind"), name.is_null() ? "" : name.get<std::string>()});

@@ -33,7 +33,7 @@ struct ListedBlock {
 
 struct ListedResult {
   std::string scene;
-  std::string length_unit;
+  bool complete = true;  ///< every pair is supported
   std::vector<ListedBlock> blocks;
 };
 

@@ -11,6 +11,8 @@
 #include <vtkRenderer.h>
 #include <vtkWindowToImageFilter.h>
 
+#include <algorithm>
+
 #include "geometry/errors.h"
 #include "viz/block.h"
 #include "viz/block_file.h"
@@ -27,7 +29,10 @@ namespace {
 namespace fs = std::filesystem;
 
 // Drawn twice as large and averaged: edges are smooth, and depth peeling needs a window without multisampling.
-constexpr int oversampling = 2;
+int oversampling(const PictureOptions& options) {
+  return std::max(options.width, options.height) <= 4096 ? 2 : 1;
+}
+
 constexpr double legend_share = 0.21;
 
 void add_scene(vtkRenderWindow& window, const viz::PictureScene& scene, const PictureOptions& options) {
@@ -38,7 +43,7 @@ void add_scene(vtkRenderWindow& window, const viz::PictureScene& scene, const Pi
   renderer->SetUseDepthPeeling(1);
   renderer->SetMaximumNumberOfPeels(64);
   renderer->SetOcclusionRatio(0);
-  viz::add_actors(*renderer, scene, view, oversampling);
+  viz::add_actors(*renderer, scene, view, oversampling(options));
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->SetPosition(view.position.x, view.position.y, view.position.z);
   camera->SetFocalPoint(view.focus.x, view.focus.y, view.focus.z);
@@ -50,22 +55,22 @@ void add_scene(vtkRenderWindow& window, const viz::PictureScene& scene, const Pi
   window.AddRenderer(renderer);
 }
 
-void add_legend(vtkRenderWindow& window, const viz::PictureScene& scene) {
+void add_legend(vtkRenderWindow& window, const viz::PictureScene& scene, double pixel) {
   vtkNew<vtkRenderer> renderer;
   renderer->SetViewport(1 - legend_share, 0, 1, 1);
   renderer->SetBackground(1, 1, 1);
   window.AddRenderer(renderer);
-  viz::add_legend(*renderer, scene, oversampling);
+  viz::add_legend(*renderer, scene, pixel);
 }
 
-void write_png(vtkRenderWindow& window, const fs::path& file) {
+void write_png(vtkRenderWindow& window, int shrink, const fs::path& file) {
   vtkNew<vtkWindowToImageFilter> image;
   image->SetInput(&window);
   image->SetInputBufferTypeToRGB();
   image->ReadFrontBufferOff();
   vtkNew<vtkImageShrink3D> shrunk;
   shrunk->SetInputConnection(image->GetOutputPort());
-  shrunk->SetShrinkFactors(oversampling, oversampling, 1);
+  shrunk->SetShrinkFactors(shrink, shrink, 1);
   shrunk->MeanOn();
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputConnection(shrunk->GetOutputPort());
@@ -97,15 +102,15 @@ void draw(const viz::PictureScene& scene, const fs::path& png, const PictureOpti
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(0);
   window->SetAlphaBitPlanes(1);
-  window->SetSize(oversampling * options.width, oversampling * options.height);
+  window->SetSize(oversampling(options) * options.width, oversampling(options) * options.height);
   add_scene(*window, scene, options);
-  add_legend(*window, scene);
+  add_legend(*window, scene, oversampling(options));
   window->Render();
 
   viz::StagedFolder folder(png.parent_path());
   const viz::StagedFile file = folder.add(png.filename().string());
   try {
-    write_png(*window, file.temporary);
+    write_png(*window, oversampling(options), file.temporary);
   } catch (const std::runtime_error& error) {
     throw std::runtime_error("cannot write " + png.string() + ": " + error.what());
   }
@@ -132,27 +137,27 @@ std::string title(const std::string& scene) {
 void render_scene(const ShadowResult& result, const fs::path& png, const PictureOptions& options) {
   if (result.scene == nullptr) throw PreconditionError("render_scene: a result without a scene");
   check(png, options);
-  std::vector<viz::PictureBlock> blocks;
+  viz::PictureSource source{title(result.scene->source), std::ranges::all_of(result.pairs, &PairResult::supported), {}};
   for (const viz::Block& block : viz::shadow_blocks(result)) {
     auto surface = vtkSmartPointer<vtkPolyData>(vtkPolyData::SafeDownCast(block.data));
-    if (surface != nullptr && !block.empty()) blocks.push_back({block.path, block.kind, surface});
+    if (surface != nullptr && !block.empty()) source.blocks.push_back({block.path, block.kind, surface});
   }
-  draw(viz::picture_scene(title(result.scene->source), blocks), png, options);
+  draw(viz::picture_scene(source), png, options);
 }
 
 void render_result(const fs::path& directory, const fs::path& png, const PictureOptions& options) {
   check(png, options);
   const viz::ListedResult listed = viz::read_manifest(directory);
-  std::vector<viz::PictureBlock> blocks;
+  viz::PictureSource source{title(listed.scene), listed.complete, {}};
   for (const viz::ListedBlock& block : listed.blocks) {
     if (fs::path(block.file).extension() != ".vtp") continue;
-    blocks.push_back({block.path, block.kind, viz::read_surface(directory / block.file)});
+    source.blocks.push_back({block.path, block.kind, viz::read_surface(directory / block.file)});
   }
-  if (blocks.empty()) {
+  if (source.blocks.empty()) {
     throw std::runtime_error("cannot draw " + directory.string() +
                              ": it holds no surfaces; write it with `gnomon shadow --format vtm` or vtpc");
   }
-  draw(viz::picture_scene(title(listed.scene), blocks), png, options);
+  draw(viz::picture_scene(source), png, options);
 }
 
 }  // namespace gnomon

@@ -38,6 +38,13 @@ std::string titled(const std::string& kind, const std::vector<PictureBlock>& blo
   return blocks.size() == 1 ? kind + " (" + blocks.front().path.back() + ")" : kind + "s";
 }
 
+/// Where the shadows of some pairs are not known, nothing is called lit.
+std::string receiver_text(const PictureScene& scene) {
+  const bool one = scene.receivers.size() == 1;
+  const std::string text = one ? "receiver (" + scene.receivers.front().name + ")" : "receivers";
+  return scene.complete ? text + ", lit" : text;
+}
+
 std::vector<Entry> entries(const PictureScene& scene) {
   std::vector<Entry> list;
   const auto cells = [](const auto& surface) { return surface->GetNumberOfCells() > 0; };
@@ -48,11 +55,7 @@ std::vector<Entry> entries(const PictureScene& scene) {
   if (!scene.blockers.empty()) list.push_back({titled("blocker", scene.blockers), palette.blocker});
   if (std::ranges::any_of(scene.umbras, cells)) list.push_back({"umbra volume", faint(palette.umbra, 0.72)});
   if (std::ranges::any_of(scene.penumbras, cells)) list.push_back({"penumbra volume", faint(palette.penumbra, 0.42)});
-  if (!scene.receivers.empty()) {
-    list.push_back(
-        {scene.receivers.size() == 1 ? "receiver (" + scene.receivers.front().name + "), lit" : "receivers, lit",
-         palette.receiver});
-  }
+  if (!scene.receivers.empty()) list.push_back({receiver_text(scene), palette.receiver});
   if (painted(false)) list.push_back({"penumbra on receiver", palette.penumbra});
   if (painted(true)) list.push_back({"umbra on receiver", palette.umbra});
   return list;

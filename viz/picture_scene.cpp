@@ -119,10 +119,12 @@ void add_shadows(PictureScene& scene, const PictureBlock& block) {
 
 }  // namespace
 
-PictureScene picture_scene(std::string title, const std::vector<PictureBlock>& blocks) {
+PictureScene picture_scene(const PictureSource& source) {
+  const std::vector<PictureBlock>& blocks = source.blocks;
   const std::vector<Point3> points = scene_points(blocks);
   PictureScene scene;
-  scene.title = std::move(title);
+  scene.title = source.title;
+  scene.complete = source.complete;
   scene.size = diagonal(points);
   for (const PictureBlock& block : blocks) {
     if (block.kind == "light") scene.lights.push_back(block);

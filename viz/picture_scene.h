@@ -17,6 +17,13 @@ struct PictureBlock {
   vtkSmartPointer<vtkPolyData> data;
 };
 
+/// A result as a picture takes it.
+struct PictureSource {
+  std::string title;
+  bool complete = true;  ///< false if the shadows of some pairs are not known
+  std::vector<PictureBlock> blocks;
+};
+
 struct PictureReceiver {
   std::string name;
   Polygon polygon;     ///< counterclockwise seen from the side of the plane's normal
@@ -34,6 +41,7 @@ struct PaintedShadow {
 /// What is drawn.
 struct PictureScene {
   std::string title;
+  bool complete = true;
   double size = 1;  ///< diagonal of lights, blockers and receivers
   std::vector<PictureBlock> lights;
   std::vector<PictureBlock> blockers;
@@ -43,7 +51,7 @@ struct PictureScene {
   std::vector<PaintedShadow> shadows;                   ///< penumbrae first
 };
 
-PictureScene picture_scene(std::string title, const std::vector<PictureBlock>& blocks);
+PictureScene picture_scene(const PictureSource& source);
 
 /// Every point that is to be seen.
 std::vector<Point3> visible_points(const PictureScene& scene);

@@ -103,7 +103,9 @@ class Tableau {
   std::vector<int> flips_;
 };
 
-ExactColumn lifted(const ExactVector& v, int w) { return {v.x, v.y, v.z, Rational(w)}; }
+ExactColumn lifted(const ExactVector& v, int w) {
+  return {v.x, v.y, v.z, Rational(w)};
+}
 
 }  // namespace
 

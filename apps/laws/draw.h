@@ -16,6 +16,8 @@ inline int draw(int least, int most) {
 }
 
 /// True once in `n` draws; shrinks toward false.
-inline bool once_in(int n) { return draw(0, n - 1) == n - 1; }
+inline bool once_in(int n) {
+  return draw(0, n - 1) == n - 1;
+}
 
 }  // namespace gnomon::laws

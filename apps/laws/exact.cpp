@@ -2,7 +2,9 @@
 
 namespace gnomon::laws {
 
-ExactVector exact(const Point3& p) { return {Rational(p.x), Rational(p.y), Rational(p.z)}; }
+ExactVector exact(const Point3& p) {
+  return {Rational(p.x), Rational(p.y), Rational(p.z)};
+}
 
 std::vector<ExactVector> exact(std::span<const Point3> points) {
   std::vector<ExactVector> result;
@@ -22,19 +24,29 @@ ExactVector operator*(const Rational& s, const ExactVector& a) {
   return {Rational(s * a.x), Rational(s * a.y), Rational(s * a.z)};
 }
 
-Rational dot(const ExactVector& a, const ExactVector& b) { return Rational(a.x * b.x + a.y * b.y + a.z * b.z); }
+Rational dot(const ExactVector& a, const ExactVector& b) {
+  return Rational(a.x * b.x + a.y * b.y + a.z * b.z);
+}
 
 ExactVector cross(const ExactVector& a, const ExactVector& b) {
   return {Rational(a.y * b.z - a.z * b.y), Rational(a.z * b.x - a.x * b.z), Rational(a.x * b.y - a.y * b.x)};
 }
 
-int sign(const Rational& r) { return static_cast<int>(CGAL::sign(r)); }
+int sign(const Rational& r) {
+  return static_cast<int>(CGAL::sign(r));
+}
 
-bool is_zero(const ExactVector& a) { return sign(a.x) == 0 && sign(a.y) == 0 && sign(a.z) == 0; }
+bool is_zero(const ExactVector& a) {
+  return sign(a.x) == 0 && sign(a.y) == 0 && sign(a.z) == 0;
+}
 
-Rational ExactPlane::height(const ExactVector& p) const { return Rational(dot(normal, p) - offset); }
+Rational ExactPlane::height(const ExactVector& p) const {
+  return Rational(dot(normal, p) - offset);
+}
 
-ExactPlane ExactPlane::reversed() const { return {Rational(-1) * normal, Rational(-offset)}; }
+ExactPlane ExactPlane::reversed() const {
+  return {Rational(-1) * normal, Rational(-offset)};
+}
 
 ExactPlane plane_through(const ExactVector& a, const ExactVector& b, const ExactVector& c) {
   const ExactVector normal = cross(b - a, c - a);

@@ -14,7 +14,8 @@ namespace gnomon::laws {
 /// Where a law's cases are drawn from.
 enum class Domain {
   random,           ///< small integers, so that ties are common
-  near_degenerate,  ///< the same bent toward degeneracy: one ulp off, far from the origin, needles, huge ratios of scale
+  near_degenerate,  ///< the same bent toward degeneracy: one ulp off, far from the origin, needles, huge ratios of
+                    ///< scale
 };
 
 /// The domain's name as scripts read it.
@@ -50,10 +51,7 @@ struct Law {
   std::function<Outcome(Domain, const Parameters&)> run;
 };
 
-/// The laws of one light and one blocker in space.
-std::vector<Law> spatial_laws();
-
-/// Every law there is.
+/// Every law there is, those of the plane first.
 std::vector<Law> all_laws();
 
 }  // namespace gnomon::laws

@@ -17,7 +17,9 @@ struct Verdict {
   std::string reason = {};  ///< of a failure
 };
 
-inline Verdict premise_fails() { return {Verdict::Kind::premise_fails}; }
+inline Verdict premise_fails() {
+  return {Verdict::Kind::premise_fails};
+}
 
 /// The case keeps the law if `claim` is true, else it breaks it for the reason given.
 inline Verdict verdict(bool claim, std::string_view reason) {

@@ -38,7 +38,8 @@ void append_chain(const Outline& points, bool keep_collinear, Outline& outline) 
   outline.pop_back();
 }
 
-/// A convex outline with small coordinates, integers or halves, counterclockwise; collinear vertices are kept now and then.
+/// A convex outline with small coordinates, integers or halves, counterclockwise; collinear vertices are kept now and
+/// then.
 Outline draw_outline() {
   if (once_in(3)) {
     const double width = draw(1, 3);
@@ -70,7 +71,8 @@ bool parallel(const Point3& u, const Point3& v) {
   return u.y * v.z == u.z * v.y && u.z * v.x == u.x * v.z && u.x * v.y == u.y * v.x;
 }
 
-/// A convex polygon, flat because it is a combination of two integer vectors that needs no rounding; a needle stretches the first.
+/// A convex polygon, flat because it is a combination of two integer vectors that needs no rounding; a needle stretches
+/// the first.
 Points draw_polygon(double stretch) {
   const Outline outline = draw_outline();
   const Point3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
@@ -208,7 +210,8 @@ void nudge_a_vertex(Pair& pair) {
   if (once_in(2)) {
     const Points bent = with_nudged_vertex(light_points(pair.light));
     std::size_t next = 0;
-    replace_if(pair, mapped(pair, [&](const Point3&) { return bent[next++]; }, untouched));
+    replace_if(pair, mapped(
+                         pair, [&](const Point3&) { return bent[next++]; }, untouched));
   } else {
     const auto old = pair.blocker.points();
     const Points bent = with_nudged_vertex({old.begin(), old.end()});
@@ -226,11 +229,20 @@ void bend(Pair& pair) {
   const auto small = [&](const Point3& p) { return moved({}, 1 / size, p); };
   const auto same = [](const Point3& p) { return p; };
   switch (draw(0, 4)) {
-    case 0: break;
-    case 1: replace_if(pair, mapped(pair, far, far)); break;
-    case 2: replace_if(pair, mapped(pair, large, same)); break;
-    case 3: replace_if(pair, mapped(pair, same, small)); break;
-    default: replace_if(pair, mapped(pair, small, same)); break;
+    case 0:
+      break;
+    case 1:
+      replace_if(pair, mapped(pair, far, far));
+      break;
+    case 2:
+      replace_if(pair, mapped(pair, large, same));
+      break;
+    case 3:
+      replace_if(pair, mapped(pair, same, small));
+      break;
+    default:
+      replace_if(pair, mapped(pair, small, same));
+      break;
   }
   for (int left = draw(0, 3); left > 0; --left) nudge_a_vertex(pair);
 }

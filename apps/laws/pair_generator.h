@@ -16,7 +16,9 @@ struct Pair {
 std::vector<Point3> light_points(const Light& light);
 
 /// a + s * b, rounded like any double.
-inline Point3 moved(const Point3& a, double s, const Point3& b) { return {a.x + s * b.x, a.y + s * b.y, a.z + s * b.z}; }
+inline Point3 moved(const Point3& a, double s, const Point3& b) {
+  return {a.x + s * b.x, a.y + s * b.y, a.z + s * b.z};
+}
 
 /// Draws a pair in standard position.
 ///

@@ -12,7 +12,9 @@ namespace {
 
 using Points = std::vector<Point3>;
 
-const Point3& draw_one(const Points& points) { return points[std::size_t(draw(0, int(points.size()) - 1))]; }
+const Point3& draw_one(const Points& points) {
+  return points[std::size_t(draw(0, int(points.size()) - 1))];
+}
 
 /// A vertex, a point on the line of two vertices, or one of a triangle; with an overhang also beside the polygon.
 /// Quarters of small integers, so exact as a double.
@@ -35,6 +37,18 @@ Point3 draw_aligned(const Points& light, const Points& blocker) {
   return moved(b, steps[draw(0, 9)], moved(b, -1, l));
 }
 
+/// A point behind a corner of the blocker, seen from a place beside the middle of a light edge: often beyond the plane
+/// of that light edge alone.
+Point3 draw_beside_a_light_edge(const Points& light, const Points& blocker) {
+  const std::size_t i = std::size_t(draw(0, int(light.size()) - 1));
+  const Point3 middle = moved(light[i], 0.5, moved(light[(i + 1) % light.size()], -1, light[i]));
+  const Point3 from = draw_one(once_in(2) ? light : blocker);
+  const Point3 to = draw_one(once_in(2) ? light : blocker);
+  const Point3 beside = moved(middle, 0.125 * draw(0, 2), moved(to, -1, from));
+  const Point3 corner = draw_one(blocker);
+  return moved(corner, 0.5 * draw(1, 4), moved(corner, -1, beside));
+}
+
 /// A point of the plane through an edge and a vertex of the other element.
 Point3 draw_on_a_plane(const Points& light, const Points& blocker) {
   const bool through_light_edge = once_in(3) && light.size() > 1;
@@ -49,18 +63,30 @@ Point3 draw_point(Domain domain, const Pair& pair) {
   const Points light = light_points(pair.light);
   const Points blocker(pair.blocker.points().begin(), pair.blocker.points().end());
   Point3 p;
-  switch (draw(0, 9)) {
+  switch (draw(0, 11)) {
     case 0: {
       const int x = draw(-8, 8);
       const int y = draw(-8, 8);
       p = moved(blocker[0], 1, Point3{double(x), double(y), double(draw(-8, 8))});
       break;
     }
-    case 1: p = draw_near(blocker, 2); break;
-    case 2: p = draw_near(light, 2); break;
+    case 1:
+      p = draw_near(blocker, 2);
+      break;
+    case 2:
+      p = draw_near(light, 2);
+      break;
     case 3:
-    case 4: p = draw_on_a_plane(light, blocker); break;
-    default: p = draw_aligned(light, blocker); break;
+    case 4:
+      p = draw_on_a_plane(light, blocker);
+      break;
+    case 5:
+    case 6:
+      p = draw_beside_a_light_edge(light, blocker);
+      break;
+    default:
+      p = draw_aligned(light, blocker);
+      break;
   }
   return domain == Domain::near_degenerate && once_in(2) ? nudged(p) : p;
 }

@@ -1,3 +1,5 @@
+#include "apps/laws/spatial_laws.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -14,14 +16,20 @@ namespace {
 
 using Polygon = std::vector<ExactVector>;
 
-bool is_area(const Light& light) { return std::holds_alternative<AreaLight>(light); }
-bool is_point(const Light& light) { return std::holds_alternative<PointLight>(light); }
+bool is_area(const Light& light) {
+  return std::holds_alternative<AreaLight>(light);
+}
+bool is_point(const Light& light) {
+  return std::holds_alternative<PointLight>(light);
+}
 
 bool in_blocker_plane(const ExactVector& p, const ConvexPolygon& blocker) {
   return plane_of(exact(blocker.points())).side(p) == 0;
 }
 
-bool holds(const ConvexVolume& volume, const Point3& p) { return volume.oriented_side(p) != Side::outside; }
+bool holds(const ConvexVolume& volume, const Point3& p) {
+  return volume.oriented_side(p) != Side::outside;
+}
 
 /// The plane of that name with the blocker on its negative side: so the light lies on the positive side of a separating
 /// plane, and neither on that of a supporting one.
@@ -39,7 +47,19 @@ ExactPlane plane_named(const LightPlane& name, const Polygon& light, const Polyg
   return plane.side(middle(blocker)) < 0 ? plane : plane.reversed();
 }
 
-/// True if p lies on the positive side of one of the planes; for `least_side` 0 on the plane itself counts.
+/// The planes of those names are what they are said to be.
+template <class Names>
+bool have_contact(const SpatialCase& drawn, const Names& names, Contact contact) {
+  const Polygon light = vertices(drawn.light);
+  const Polygon blocker = exact(drawn.blocker.points());
+  return std::ranges::all_of(names, [&](const auto& name) {
+    const ExactPlane plane = plane_named(name, light, blocker);
+    const ExactPlane with_light_below = contact == Contact::separating ? plane.reversed() : plane;
+    return common_side(plane, blocker).value_or(1) <= 0 && common_side(with_light_below, light).value_or(1) <= 0;
+  });
+}
+
+/// True if the point lies on the positive side of one of the planes; for `least_side` 0 on the plane itself counts.
 template <class Names>
 bool beyond_one(const SpatialCase& drawn, const Names& names, int least_side) {
   const Polygon light = vertices(drawn.light);
@@ -61,18 +81,20 @@ Verdict check_point_shadow(const SpatialCase& drawn, const Subject& subject) {
   return verdict(holds(volumes.umbra, drawn.point) == shadowed, "the umbra differs");
 }
 
-Verdict check_beyond_separating_blocker_plane(const SpatialCase& drawn, const Subject& subject) {
-  const ExtremalPlanes planes = subject.extremal_planes(drawn.light, drawn.blocker);
+template <class Names>
+Verdict check_beyond_separating(const SpatialCase& drawn, const Names& names) {
+  if (!have_contact(drawn, names, Contact::separating)) return verdict(false, "a plane does not separate");
   const std::optional<Rational> f = fraction(drawn);
-  if (!f || !beyond_one(drawn, planes.separating_blocker, is_area(drawn.light) ? 0 : 1)) return premise_fails();
-  return verdict(*f == 1, "f < 1 beyond a separating blocker plane");
+  if (!f || !beyond_one(drawn, names, is_area(drawn.light) ? 0 : 1)) return premise_fails();
+  return verdict(*f == 1, "f < 1 beyond a separating plane");
+}
+
+Verdict check_beyond_separating_blocker_plane(const SpatialCase& drawn, const Subject& subject) {
+  return check_beyond_separating(drawn, subject.extremal_planes(drawn.light, drawn.blocker).separating_blocker);
 }
 
 Verdict check_beyond_separating_light_plane(const SpatialCase& drawn, const Subject& subject) {
-  const ExtremalPlanes planes = subject.extremal_planes(drawn.light, drawn.blocker);
-  const std::optional<Rational> f = fraction(drawn);
-  if (!f || !beyond_one(drawn, planes.separating_light, is_area(drawn.light) ? 0 : 1)) return premise_fails();
-  return verdict(*f == 1, "f < 1 beyond a separating light plane");
+  return check_beyond_separating(drawn, subject.extremal_planes(drawn.light, drawn.blocker).separating_light);
 }
 
 Verdict check_occlusion(const SpatialCase& drawn, const Subject& subject) {
@@ -93,8 +115,7 @@ Verdict check_hull_of_shadows(const SpatialCase& drawn, const Subject& subject) 
 }
 
 Verdict check_difference_cone(const SpatialCase& drawn, const Subject& subject) {
-  const bool expected =
-      is_in_difference_cone(exact(drawn.point), vertices(drawn.light), exact(drawn.blocker.points()));
+  const bool expected = is_in_difference_cone(exact(drawn.point), vertices(drawn.light), exact(drawn.blocker.points()));
   const ShadowVolumes volumes = subject.shadow_volumes(drawn.light, drawn.blocker);
   return verdict(holds(volumes.occlusion, drawn.point) == expected,
                  expected ? "in the set, not in the volume" : "in the volume, not in the set");
@@ -102,6 +123,9 @@ Verdict check_difference_cone(const SpatialCase& drawn, const Subject& subject) 
 
 Verdict check_beyond_supporting_plane(const SpatialCase& drawn, const Subject& subject) {
   const ExtremalPlanes planes = subject.extremal_planes(drawn.light, drawn.blocker);
+  if (!have_contact(drawn, planes.supporting_blocker, Contact::supporting)) {
+    return verdict(false, "a plane does not support");
+  }
   const std::optional<Rational> f = fraction(drawn);
   if (!f || !beyond_one(drawn, planes.supporting_blocker, 1)) return premise_fails();
   return verdict(*f > 0, "f = 0 beyond a supporting plane");
@@ -187,8 +211,7 @@ bool penumbra_holds_ray(const SpatialCase& drawn, const PolygonSide& edge, const
   return std::ranges::all_of(std::array{-20, 0, 20, 200}, [&](int exponent) {
     Rational step = 1;
     for (int i = 0; i < std::abs(exponent); ++i) step *= exponent < 0 ? Rational(1, 2) : Rational(2);
-    const std::optional<Rational> f =
-        visible_fraction(drawn.light, drawn.blocker, start + step * (start - l));
+    const std::optional<Rational> f = visible_fraction(drawn.light, drawn.blocker, start + step * (start - l));
     return f && *f > 0 && *f < 1;
   });
 }
@@ -243,21 +266,26 @@ std::vector<Law> spatial_laws() {
            "half-spaces of the (light, edge) planes; of the blocker's plane only the blocker itself belongs to it."},
           pairs(Lights::points), check_point_shadow),
       law({"S2", "[CF91] Lemma 1",
-           "On the positive side of a separating blocker plane f = 1; for an area light on the plane itself too."},
+           "A separating blocker plane has L and B on opposite closed sides, and on its positive side f = 1; for an "
+           "area "
+           "light on the plane itself too."},
           pairs(Lights::all), check_beyond_separating_blocker_plane),
       law({"S3", "[CF91] Lemma 2",
-           "On the positive side of a separating light plane f = 1; for an area light on the plane itself too."},
+           "A separating light plane has L and B on opposite closed sides, and on its positive side f = 1; for an area "
+           "light on the plane itself too."},
           pairs(Lights::with_extent), check_beyond_separating_light_plane),
       law({"S4", "[CF91] Theorem 2",
-           "In B- and all separating half-spaces f < 1 strictly inside and f = 1 strictly outside; on the boundary f = 1 "
+           "In B- and all separating half-spaces f < 1 strictly inside and f = 1 strictly outside; on the boundary f = "
+           "1 "
            "for an area light, while a point or linear light may be hidden there; unlit points are strictly outside."},
           pairs(Lights::all), check_occlusion),
-      law({"S5", "[P93] 4.2.3.1", "The occlusion volume is the convex hull of the vertex shadows."},
-          pairs(Lights::all), check_hull_of_shadows),
+      law({"S5", "[P93] 4.2.3.1", "The occlusion volume is the convex hull of the vertex shadows."}, pairs(Lights::all),
+          check_hull_of_shadows),
       law({"S6", "own", "The occlusion volume is B plus the cone of the differences b - l, boundary included."},
           pairs(Lights::all), check_difference_cone),
-      law({"S7", "[CF91] Lemma 3", "On the positive side of a supporting blocker plane f > 0."}, pairs(Lights::all),
-          check_beyond_supporting_plane),
+      law({"S7", "[CF91] Lemma 3",
+           "A supporting blocker plane has L and B on one closed side, and on its positive side f > 0."},
+          pairs(Lights::all), check_beyond_supporting_plane),
       law({"S8", "[CF91] Theorem 3",
            "Off the blocker's plane f = 0 exactly in the intersection of B- and all supporting half-spaces, boundary "
            "included; of the blocker's plane only the blocker itself belongs to it; unlit points are outside."},

@@ -112,7 +112,8 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
     } else if (offset == text_.size()) {
       message += "found the end of the text; expected more: the JSON is not complete";
     } else {
-      if (!word.empty()) message += "found " + printable_bytes(word, 40) + ": ";
+      const std::string_view culprit = word.empty() ? text_.substr(offset, 1) : word;
+      message += "found '" + printable_bytes(culprit, 40) + "': ";
       message += "not valid JSON (" + printable_bytes(what.substr(reason), 200) + "); expected a JSON document";
     }
     throw SceneError(message);

@@ -1,6 +1,7 @@
 #include "geometry/spatial/difference_triangulation.h"
 
 #include <algorithm>
+#include <optional>
 #include <unordered_map>
 
 namespace gnomon {
@@ -36,15 +37,33 @@ Loop chain(const Loop& loop, std::size_t from, std::size_t to) {
   return result;
 }
 
-/// The inner vertex right of which the outer vertex sees no more of the inner polygon.
-std::size_t right_tangent(const ExactSpace& space, PlaneId plane, const Loop& inner, VertexId outer) {
+/// The inner vertex right of which the outer vertex sees no more of the inner polygon; nothing if it sees no side of
+/// it at all, which happens in line with an edge that stands for the polygon.
+std::optional<std::size_t> right_tangent(const ExactSpace& space, PlaneId plane, const Loop& inner, VertexId outer) {
   const auto sees = [&](std::size_t b) {
     return space.turn(plane, inner[b], inner[(b + 1) % inner.size()], outer) < 0;
   };
-  std::size_t b = 0;
-  while (!sees(b)) b = (b + 1) % inner.size();
-  while (sees(b)) b = (b + 1) % inner.size();
-  return b;
+  for (std::size_t b = 0; b < inner.size(); ++b) {
+    const std::size_t next = (b + 1) % inner.size();
+    if (sees(b) && !sees(next)) return next;
+  }
+  return std::nullopt;
+}
+
+/// Triangles between an outer polygon and an inner one (or an edge, or a point) in its interior.
+Triangles ring_triangles(const ExactSpace& space, PlaneId plane, const Loop& outer, const Loop& inner) {
+  Triangles triangles;
+  if (inner.size() == 1) {
+    fill_band(space, plane, chain(outer, 0, 0), inner, triangles);
+    return triangles;
+  }
+  for (std::size_t a = 0; a < outer.size(); ++a) {
+    const std::optional<std::size_t> b = right_tangent(space, plane, inner, outer[a]);
+    if (!b) continue;
+    fill_band(space, plane, chain(outer, a, a), chain(inner, *b, *b), triangles);
+    break;
+  }
+  return triangles;
 }
 
 }  // namespace
@@ -80,11 +99,8 @@ Triangles difference_triangles(const ExactSpace& space, PlaneId plane, const Loo
   for (std::size_t a = 0; a < outer.size(); ++a) {
     if (inner_position.count(outer[a])) shared.push_back(a);
   }
-  if (shared.empty()) {
-    const std::size_t b = right_tangent(space, plane, inner, outer[0]);
-    fill_band(space, plane, chain(outer, 0, 0), chain(inner, b, b), triangles);
-    return triangles;
-  }
+  if (shared.empty()) return ring_triangles(space, plane, outer, inner);
+  if (inner.size() == 1) return convex_triangles(space, plane, outer);
   for (std::size_t i = 0; i < shared.size(); ++i) {
     const std::size_t from = shared[i];
     const std::size_t to = shared[(i + 1) % shared.size()];

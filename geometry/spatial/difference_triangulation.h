@@ -19,7 +19,8 @@ Triangles convex_triangles(const ExactSpace& space, PlaneId plane, Loop loop);
 /// Triangles of the outer polygon minus the inner one.
 ///
 /// Requires: both loops convex and counterclockwise; the inner one strictly convex and part of the outer one; every
-///           vertex of the inner one that lies on the outer boundary is a vertex of the outer loop.
+///           vertex of the inner one that lies on the outer boundary is a vertex of the outer loop. The inner one may
+///           be a point or the two ends of an edge, which then is an edge of triangles on both sides.
 /// Returns:  as convex_triangles; nothing where the boundaries coincide.
 /// Cost:     O(size of both loops).
 Triangles difference_triangles(const ExactSpace& space, PlaneId plane, const Loop& outer, const Loop& inner);

@@ -127,6 +127,20 @@ Loop refined_loop(const ExactSpace& space, const Face& face, PlaneId plane, cons
   return loop;
 }
 
+/// The vertices in which the umbra touches the sides of the box that hold no facet of it: one, or the ends of an edge.
+std::map<PlaneId, Loop> touching_vertices(const CommonPlanes& planes, const ConvexPolyhedron& umbra,
+                                          const std::map<PlaneId, const Face*>& umbra_faces) {
+  std::set<VertexId> vertices;
+  for (const Face& face : umbra.faces) vertices.insert(face.loop.begin(), face.loop.end());
+  std::map<PlaneId, Loop> touching;
+  for (const VertexId vertex : vertices) {
+    for (const PlaneId side : planes.box_sides(vertex)) {
+      if (!umbra_faces.count(side)) touching[side].push_back(vertex);
+    }
+  }
+  return touching;
+}
+
 Triangles turned(Triangles triangles) {
   for (auto& t : triangles) std::swap(t[1], t[2]);
   return triangles;
@@ -166,13 +180,16 @@ ExactSurface penumbra_surface(ExactSpace& space, const ConvexPolyhedron& occlusi
   std::map<PlaneId, const Face*> inner_faces;
   for (const Face& face : inner.faces) inner_faces[planes.of(face)] = &face;
 
+  std::map<PlaneId, Loop> holes = touching_vertices(planes, inner, inner_faces);
+  for (const auto& [plane, face] : inner_faces) holes[plane] = face->loop;
+
   ExactSurface result;
   for (const Face& face : occlusion.faces) {
     const PlaneId plane = planes.of(face);
     const Loop loop = refined_loop(space, face, plane, neighbours, edge_vertices);
-    const auto hole = inner_faces.find(plane);
-    Triangles triangles = hole == inner_faces.end() ? convex_triangles(space, face.plane, loop)
-                                                    : difference_triangles(space, face.plane, loop, hole->second->loop);
+    const auto hole = holes.find(plane);
+    Triangles triangles = hole == holes.end() ? convex_triangles(space, face.plane, loop)
+                                              : difference_triangles(space, face.plane, loop, hole->second);
     if (!triangles.empty()) result.facets.push_back({face.plane, std::move(triangles)});
   }
   const std::size_t first_inner = result.facets.size();

@@ -63,24 +63,37 @@ EdgeUses edge_uses(const ExactSurface& surface, std::size_t first_inner) {
   return uses;
 }
 
-void join_triangles(Fans& fans, const std::vector<EdgeUse>& uses) {
-  if (uses.size() == 2) {
-    fans.join(uses[0], uses[1]);
-    return;
+/// Joins the four triangles at an edge where the umbra touches the occlusion's surface. If the outer sheet already goes
+/// round one end of the edge, the umbra only touches it there, and each sheet is joined to itself; otherwise the umbra
+/// divides the volume into two wedges, and an outer triangle belongs to the inward one that it meets head on.
+void join_touching_sheets(Fans& fans, const std::vector<EdgeUse>& uses) {
+  std::vector<EdgeUse> outer;
+  std::vector<EdgeUse> inner;
+  for (const EdgeUse& use : uses) (use.inner ? inner : outer).push_back(use);
+  if (inner[0].forward == outer[0].forward) std::swap(inner[0], inner[1]);
+  const bool goes_round = fans.representative(outer[0].start()) == fans.representative(outer[1].end()) ||
+                          fans.representative(outer[0].end()) == fans.representative(outer[1].start());
+  fans.join(outer[0], goes_round ? outer[1] : inner[0]);
+  fans.join(inner[1], goes_round ? inner[0] : outer[1]);
+}
+
+/// The corners of all triangles, joined where they are one vertex.
+Fans joined_fans(const EdgeUses& edges, std::size_t corners) {
+  Fans fans(corners);
+  for (const auto& [edge, uses] : edges) {
+    if (uses.size() == 2) fans.join(uses[0], uses[1]);
   }
-  for (const EdgeUse& outer : uses) {
-    for (const EdgeUse& inner : uses) {
-      if (!outer.inner && inner.inner && outer.forward != inner.forward) fans.join(outer, inner);
-    }
+  for (const auto& [edge, uses] : edges) {
+    if (uses.size() == 4) join_touching_sheets(fans, uses);
   }
+  return fans;
 }
 
 }  // namespace
 
 void split_fans(ExactSpace& space, ExactSurface& surface, std::size_t first_inner) {
   const std::vector<std::array<VertexId, 3>*> triangles = all_triangles(surface);
-  Fans fans(3 * triangles.size());
-  for (const auto& [edge, uses] : edge_uses(surface, first_inner)) join_triangles(fans, uses);
+  Fans fans = joined_fans(edge_uses(surface, first_inner), 3 * triangles.size());
   std::map<VertexId, std::size_t> first_fan;
   std::map<std::size_t, VertexId> copies;
   for (std::size_t corner = 0; corner < 3 * triangles.size(); ++corner) {

@@ -7,8 +7,8 @@ namespace gnomon {
 /// Splits vertices at which a closed surface touches itself, so that every edge belongs to exactly two triangles.
 ///
 /// Definition: occlusion and umbra may have an edge of one in a facet or edge of the other (on a side of the clip box);
-///             there four triangles meet, and the volume between them falls into two wedges. Each wedge gets vertices
-///             of its own at the same place.
+///             there four triangles meet. Each of the sheets that only touch gets vertices of its own at the same
+///             place.
 /// Requires:   the facets from `first_inner` on are those of the umbra, turned inward; every edge is in two triangles,
 ///             or in four, of which one in each direction is inward.
 void split_fans(ExactSpace& space, ExactSurface& surface, std::size_t first_inner);

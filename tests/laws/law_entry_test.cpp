@@ -11,7 +11,9 @@ struct Number {
   int value;
 };
 
-std::string description(const Number& drawn) { return "number " + std::to_string(drawn.value); }
+std::string description(const Number& drawn) {
+  return "number " + std::to_string(drawn.value);
+}
 
 rc::Gen<Number> numbers(Domain domain) {
   return rc::gen::exec([=] { return Number{domain == Domain::random ? draw(-100, 100) : draw(5, 9)}; });
@@ -22,11 +24,17 @@ Verdict check_small(const Number& drawn, const Subject&) {
   return verdict(drawn.value < 40, "forty or more");
 }
 
-Verdict check_never(const Number&, const Subject&) { return premise_fails(); }
+Verdict check_never(const Number&, const Subject&) {
+  return premise_fails();
+}
 
-Verdict check_throws(const Number&, const Subject&) { throw std::runtime_error("no answer"); }
+Verdict check_throws(const Number&, const Subject&) {
+  throw std::runtime_error("no answer");
+}
 
-Law small() { return law({"T1", "here", "Numbers are below forty."}, numbers, check_small); }
+Law small() {
+  return law({"T1", "here", "Numbers are below forty."}, numbers, check_small);
+}
 
 TEST(LawEntry, ShrinksACounterexampleToTheSmallest) {
   const Outcome outcome = small().run(Domain::random, {});

@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <iostream>
 #include <set>
+#include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "apps/laws/law.h"
 
@@ -53,7 +56,8 @@ TEST(Laws, AreListedOnceEach) {
 }
 
 TEST(Laws, ShowTheSameForTheSameSeed) {
-  const Law law = all_laws().front();
+  const std::vector<Law> all = all_laws();
+  const Law law = *std::ranges::find(all, std::string("S1"), &Law::key);
   const auto cases = [&](std::uint64_t seed) {
     Parameters parameters;
     parameters.seed = seed;

@@ -1,4 +1,4 @@
-#include "viz/sample_result.h"
+#include "tests/viz/sample_result.h"
 
 #include <array>
 #include <vector>

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <unistd.h>
 
 #include <array>
 #include <bit>
@@ -22,7 +23,9 @@ using testing::IsEmpty;
 
 const std::filesystem::path scenes = std::filesystem::path(GNOMON_TEST_DATA) / "scenes";
 
-Scene good_scene(const std::string& name) { return read_scene(scenes / "good" / (name + ".scene.json")); }
+Scene good_scene(const std::string& name) {
+  return read_scene(scenes / "good" / (name + ".scene.json"));
+}
 
 std::string message_of(const std::string& text) {
   try {
@@ -84,7 +87,8 @@ TEST(SceneReader, AcceptsARoundedPolygonWithADoubtThatTellsItsDeviation) {
 
 TEST(SceneReader, DoubtsWhatLooksLikeAMistake) {
   const Scene scene = good_scene("doubtful");
-  EXPECT_THAT(scene.doubts, Contains(AllOf(HasSubstr("light \"wrong_way_round\""), HasSubstr("no blocker is in front"))));
+  EXPECT_THAT(scene.doubts,
+              Contains(AllOf(HasSubstr("light \"wrong_way_round\""), HasSubstr("no blocker is in front"))));
   EXPECT_THAT(scene.doubts, Contains(AllOf(HasSubstr("light \"off\""), HasSubstr("strength is 0"))));
   EXPECT_THAT(scene.doubts, Contains(AllOf(HasSubstr("blocker \"copy\""), HasSubstr("those of blocker \"table\""))));
   EXPECT_THAT(scene.doubts, Contains(AllOf(HasSubstr("blocker \"sheet\""), HasSubstr("not closed"))));
@@ -124,20 +128,22 @@ TEST(SceneReader, ReadsTheExampleScenes) {
 }
 
 RC_GTEST_PROP(SceneReaderProperty, ReadsEveryFiniteDoubleAsItself, ()) {
-  const double x = *rc::gen::suchThat(rc::gen::map(rc::gen::arbitrary<std::uint64_t>(),
-                                                   [](std::uint64_t bits) { return std::bit_cast<double>(bits); }),
-                                      [](double value) { return std::isfinite(value); });
+  const double x = *rc::gen::suchThat(
+      rc::gen::map(rc::gen::arbitrary<std::uint64_t>(), [](std::uint64_t bits) { return std::bit_cast<double>(bits); }),
+      [](double value) { return std::isfinite(value); });
   std::array<char, 40> digits{};
   std::snprintf(digits.data(), digits.size(), "%.17g", x);
-  const std::string text = std::string(R"({"gnomon": 1, "dimension": 3, "lights": [{"name": "bulb", "shape": "point",)") +
-                           R"("position": [)" + digits.data() + R"(, 0, 1]}], "blockers": []})";
+  const std::string text =
+      std::string(R"({"gnomon": 1, "dimension": 3, "lights": [{"name": "bulb", "shape": "point",)") +
+      R"("position": [)" + digits.data() + R"(, 0, 1]}], "blockers": []})";
   RC_ASSERT(std::get<PointLight>(parse_scene(text, "test", {}).lights[0].shape).position.x == x);
 }
 
 TEST(SceneReader, ReadsTheNearestDoubleOfLongAndTinyNumbers) {
   const auto first = [](const std::string& number) {
-    const std::string text = R"({"gnomon": 1, "dimension": 3, "lights": [{"name": "bulb", "shape": "point", "position": [)" +
-                             number + R"(, 0, 1]}], "blockers": []})";
+    const std::string text =
+        R"({"gnomon": 1, "dimension": 3, "lights": [{"name": "bulb", "shape": "point", "position": [)" + number +
+        R"(, 0, 1]}], "blockers": []})";
     return std::get<PointLight>(parse_scene(text, "test", {}).lights[0].shape).position.x;
   };
   EXPECT_EQ(first("9007199254740993"), 9007199254740992.0);
@@ -177,7 +183,8 @@ TEST(SceneReader, CutsLongTextsInMessages) {
 }
 
 TEST(SceneReader, RefusesAFileThatIsTooLargeWithoutReadingItAll) {
-  const auto file = std::filesystem::temp_directory_path() / "gnomon_large_scene_test.scene.json";
+  const auto file =
+      std::filesystem::temp_directory_path() / ("gnomon_large_" + std::to_string(getpid()) + ".scene.json");
   { std::ofstream(file) << ' '; }
   std::filesystem::resize_file(file, std::uintmax_t{1} << 30);  // sparse: it takes no room
   try {

@@ -1,0 +1,249 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "geometry/scene/scene_reader.h"
+
+namespace gnomon {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// A folder of the running test's own, with one mesh file in it.
+class MeshFile : public testing::Test {
+ protected:
+  MeshFile() {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::temp_directory_path() / ("gnomon_" + std::to_string(getpid()) + info->name());
+    std::filesystem::create_directories(folder_);
+  }
+  ~MeshFile() override { std::filesystem::remove_all(folder_); }
+
+  Scene scene(const std::string& file, const std::string& bytes) const {
+    std::ofstream(folder_ / file, std::ios::binary) << bytes;
+    const std::string text = R"({"gnomon": 1, "dimension": 3, "lights": [{"name": "bulb", "shape": "point",)"
+                             R"( "position": [0, 0, 9]}], "blockers": [{"name": "vase", "shape": "mesh", "file": ")" +
+                             file + "\"}]}";
+    return parse_scene(text, "test", folder_);
+  }
+
+  Mesh mesh(const std::string& file, const std::string& bytes) const {
+    return std::get<Mesh>(scene(file, bytes).blockers[0].shape);
+  }
+
+  std::string refusal(const std::string& file, const std::string& bytes) const {
+    try {
+      scene(file, bytes);
+    } catch (const SceneError& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+const std::vector<Point3> corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+const std::vector<std::vector<std::uint32_t>> facets = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+
+const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+const std::string off = "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
+const std::string ply_head =
+    " 1.0\ncomment a tetrahedron\nelement vertex 4\nproperty double x\nproperty float weight\nproperty float y\n"
+    "property float z\nelement face 4\nproperty uchar colour\nproperty list uchar int vertex_indices\nend_header\n";
+const std::string ply =
+    "ply\nformat ascii" + ply_head + "0 5 0 0\n1 5 0 0\n0 5 1 0\n0 5 0 1\n9 3 0 2 1\n9 3 0 1 3\n9 3 1 2 3\n9 3 0 3 2\n";
+
+template <class Number>
+void append(std::string& bytes, Number number, std::endian order) {
+  auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(number);
+  if (order != std::endian::native) std::reverse(raw.begin(), raw.end());
+  bytes.append(raw.begin(), raw.end());
+}
+
+std::string binary_ply(std::endian order) {
+  std::string bytes = std::string("ply\nformat ") +
+                      (order == std::endian::little ? "binary_little_endian" : "binary_big_endian") + ply_head;
+  for (const Point3& p : corners) {
+    append(bytes, p.x, order);
+    append(bytes, 5.0f, order);
+    append(bytes, static_cast<float>(p.y), order);
+    append(bytes, static_cast<float>(p.z), order);
+  }
+  for (const auto& facet : facets) {
+    bytes += '\x09';
+    bytes += '\x03';
+    for (const std::uint32_t index : facet) append(bytes, index, order);
+  }
+  return bytes;
+}
+
+std::string binary_stl(const std::string& head = "binary") {
+  std::string bytes = head;
+  bytes.resize(80, ' ');
+  append(bytes, std::uint32_t{4}, std::endian::little);
+  for (const auto& facet : facets) {
+    for (int i = 0; i < 3; ++i) append(bytes, 0.0f, std::endian::little);
+    for (const std::uint32_t index : facet) {
+      append(bytes, static_cast<float>(corners[index].x), std::endian::little);
+      append(bytes, static_cast<float>(corners[index].y), std::endian::little);
+      append(bytes, static_cast<float>(corners[index].z), std::endian::little);
+    }
+    append(bytes, std::uint16_t{0}, std::endian::little);
+  }
+  return bytes;
+}
+
+std::string ascii_stl() {
+  std::string text = "solid tetrahedron\n";
+  for (const auto& facet : facets) {
+    text += " facet normal 0 0 0\n  outer loop\n";
+    for (const std::uint32_t index : facet) {
+      const Point3& p = corners[index];
+      text += "   vertex " + std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z) + "\n";
+    }
+    text += "  endloop\n endfacet\n";
+  }
+  return text + "endsolid tetrahedron\n";
+}
+
+/// The facets with the vertices' coordinates, since formats number vertices differently.
+std::vector<std::vector<Point3>> facet_points(const Mesh& mesh) {
+  std::vector<std::vector<Point3>> result;
+  for (const auto& facet : mesh.facets) {
+    result.emplace_back();
+    for (const std::uint32_t index : facet) result.back().push_back(mesh.vertices[index]);
+  }
+  return result;
+}
+
+void expect_tetrahedron(const Mesh& mesh) {
+  EXPECT_EQ(mesh.vertices.size(), 4u);
+  EXPECT_EQ(facet_points(mesh), facet_points({"", corners, facets, true}));
+  EXPECT_TRUE(mesh.closed);
+}
+
+TEST_F(MeshFile, IsTheSameTetrahedronInEveryFormat) {
+  expect_tetrahedron(mesh("vase.obj", obj));
+  expect_tetrahedron(mesh("vase.off", off));
+  expect_tetrahedron(mesh("vase.ply", ply));
+  expect_tetrahedron(mesh("le.ply", binary_ply(std::endian::little)));
+  expect_tetrahedron(mesh("be.ply", binary_ply(std::endian::big)));
+  expect_tetrahedron(mesh("vase.stl", ascii_stl()));
+  expect_tetrahedron(mesh("binary.stl", binary_stl()));
+  expect_tetrahedron(mesh("SOLID.STL", binary_stl("solid but binary")));
+}
+
+TEST_F(MeshFile, OfObjMayNumberBackwardsAndNameTexturesAndNormals) {
+  const Mesh read =
+      mesh("vase.obj", "v 0 0 0 1\nv 1 0 0\nvt 0 0\nv 0 1 0\nvn 0 0 1\no x\nf -3/1/1 -2//1 -1/1 # end\nl 1 2\n");
+  EXPECT_THAT(read.facets, ElementsAre(ElementsAre(0, 1, 2)));
+}
+
+TEST_F(MeshFile, OfOffMayCarryColoursAndCountsInItsFirstLine) {
+  const Mesh read =
+      mesh("vase.off", "COFF 3 1 0\n0 0 0 255 0 0\n\n# remark\n1 0 0 0 0 0\n0 1 0 1 1 1\n3 0 1 2 0.5 0.5 0.5\n");
+  EXPECT_THAT(read.facets, ElementsAre(ElementsAre(0, 1, 2)));
+}
+
+TEST_F(MeshFile, WithABoundaryIsNotClosedAndGetsADoubt) {
+  const Scene read = scene("vase.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_FALSE(std::get<Mesh>(read.blockers[0].shape).closed);
+  EXPECT_THAT(read.doubts, ElementsAre(AllOf(HasSubstr("blocker \"vase\""), HasSubstr("not closed"))));
+}
+
+TEST_F(MeshFile, WithAFacetWoundTheOtherWayIsNotClosed) {
+  std::string turned = obj;
+  turned.replace(turned.find("f 1 3 2"), 7, "f 1 2 3");
+  EXPECT_FALSE(mesh("vase.obj", turned).closed);
+}
+
+TEST_F(MeshFile, WithAnEdgeOfFourFacetsIsNotClosed) {
+  // Two tetrahedra that share the edge from vertex 1 to vertex 4.
+  const std::string two = obj + "v 0 -1 0\nv -1 0 0\nf 1 6 5\nf 1 5 4\nf 5 6 4\nf 1 4 6\n";
+  EXPECT_FALSE(mesh("vase.obj", two).closed);
+  EXPECT_TRUE(mesh("vase.obj", obj).closed);
+}
+
+TEST_F(MeshFile, ReadsTheNearestDouble) {
+  const Mesh read = mesh("vase.obj", "v 0.1 1e-400 4.9e-324\nv +1 0 0\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_EQ(read.vertices[0], (Point3{0.1, 0, 4.9e-324}));
+}
+
+TEST_F(MeshFile, TellsTheDeviationOfRoundedFacets) {
+  const Scene read = scene("vase.obj", "v 0 0 0\nv 1 0 0\nv 1 1 1e-12\nv 0 1 0\nf 1 2 3 4\n");
+  ASSERT_FALSE(read.doubts.empty());
+  EXPECT_THAT(read.doubts[0], AllOf(HasSubstr("not exactly coplanar"), HasSubstr("1e-12 m")));
+}
+
+TEST_F(MeshFile, IsRefusedWithThePlaceInIt) {
+  EXPECT_THAT(refusal("a.obj", "v 0 0 0\nv 1 nan 0\n"),
+              AllOf(HasSubstr("a.obj"), HasSubstr("line 2"), HasSubstr("nan")));
+  EXPECT_THAT(refusal("a.obj", "v 0 0 1e999\n"), AllOf(HasSubstr("line 1"), HasSubstr("1e999")));
+  EXPECT_THAT(refusal("a.obj", "v 0 0\n"), HasSubstr("line 1"));
+  EXPECT_THAT(refusal("a.obj", "v 0 0 0\nf 1 1\n"), AllOf(HasSubstr("line 2"), HasSubstr("at least 3")));
+  EXPECT_THAT(refusal("a.obj", "v 0 0 0\nf 0 1 1\n"), HasSubstr("line 2"));
+  EXPECT_THAT(refusal("a.obj", "v 0 0 0\nf -2 1 1\n"), HasSubstr("line 2"));
+  EXPECT_THAT(refusal("a.obj", "v 0 0 0\nf 1 1 1e3\n"), HasSubstr("line 2"));
+  EXPECT_THAT(refusal("a.obj", "v 0 0 0\n"), HasSubstr("no facet"));
+  EXPECT_THAT(refusal("a.off", "OFF\n4000000000 1 0\n"), AllOf(HasSubstr("line 2"), HasSubstr("4000000000")));
+  EXPECT_THAT(refusal("a.off", "OFF\n-1 1 0\n"), HasSubstr("line 2"));
+  EXPECT_THAT(refusal("a.off", "OFF BINARY\n"), HasSubstr("BINARY"));
+  EXPECT_THAT(refusal("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"), HasSubstr("line 6"));
+  EXPECT_THAT(refusal("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n9 0 1 2\n"), HasSubstr("line 6"));
+  EXPECT_THAT(refusal("a.ply", "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\n"),
+              HasSubstr("end_header"));
+  EXPECT_THAT(refusal("a.ply", "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nend_header\n"),
+              HasSubstr("property y"));
+  EXPECT_THAT(refusal("a.ply", ply.substr(0, ply.size() - 4)),
+              AllOf(HasSubstr("face 3"), HasSubstr("the end of the file")));
+  EXPECT_THAT(refusal("a.stl", "solid\nfacet\nvertex 0 0 0\nendfacet\n"),
+              AllOf(HasSubstr("line 4"), HasSubstr("3 vertices")));
+  EXPECT_THAT(refusal("a.stl", "nothing of the kind"), HasSubstr("an STL file"));
+  EXPECT_THAT(refusal("a.stl", binary_stl().substr(0, 200)), HasSubstr("an STL file"));
+}
+
+TEST_F(MeshFile, IsRefusedForFacetsThatAreNoPolygons) {
+  const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 1 1 1\n";
+  EXPECT_THAT(refusal("a.obj", square + "f 1 2 3\nf 1 2 1\n"),
+              AllOf(HasSubstr("facet 1"), HasSubstr("corner 2"), HasSubstr("repeats vertex 0")));
+  EXPECT_THAT(refusal("a.obj", square + "f 1 2 5\n"), AllOf(HasSubstr("facet 0"), HasSubstr("one line")));
+  EXPECT_THAT(refusal("a.obj", square + "f 1 3 2 4\n"), AllOf(HasSubstr("facet 0"), HasSubstr("edges 0 and 2 meet")));
+  EXPECT_THAT(refusal("a.obj", square + "f 1 2 6 4\n"), AllOf(HasSubstr("facet 0"), HasSubstr("away from")));
+}
+
+TEST_F(MeshFile, AcceptsConcaveFacets) {
+  EXPECT_THAT(mesh("a.obj", "v 0 0 0\nv 4 0 0\nv 1 1 0\nv 0 4 0\nf 1 2 3 4\n").facets,
+              ElementsAre(ElementsAre(0, 1, 2, 3)));
+}
+
+RC_GTEST_FIXTURE_PROP(MeshFile, NeverCrashesOnDamagedFiles, ()) {
+  const auto [name, whole] = *rc::gen::element(
+      std::pair<std::string, std::string>("a.obj", obj), std::pair<std::string, std::string>("a.off", off),
+      std::pair<std::string, std::string>("a.ply", ply),
+      std::pair<std::string, std::string>("a.ply", binary_ply(std::endian::little)),
+      std::pair<std::string, std::string>("a.stl", ascii_stl()),
+      std::pair<std::string, std::string>("a.stl", binary_stl()));
+  std::string damaged = whole.substr(0, *rc::gen::inRange<std::size_t>(0, whole.size() + 1));
+  const int changes = *rc::gen::inRange(0, 5);
+  for (int i = 0; i < changes && !damaged.empty(); ++i) {
+    damaged[*rc::gen::inRange<std::size_t>(0, damaged.size())] = *rc::gen::arbitrary<char>();
+  }
+  // Either a scene or a refusal; any other exception, or worse, fails.
+  RC_ASSERT(!refusal(name, damaged).empty());
+}
+
+}  // namespace
+}  // namespace gnomon
