@@ -3,8 +3,8 @@
 /// The CGAL kernels and number types of the project, named once. Only .cpp files include this header.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Interval_nt.h>
+#include <CGAL/boost_mp.h>
 
 #include "geometry/point.h"
 
@@ -14,7 +14,8 @@ namespace gnomon {
 using InputKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 /// Exact arithmetic for constructed points and measures.
-using Rational = CGAL::Exact_rational;
+/// Operations return expression templates: name the type of a result, never `auto`.
+using Rational = boost::multiprecision::mpq_rational;
 
 /// Encloses a real number; valid while the rounding mode is protected.
 using Interval = CGAL::Interval_nt<false>;

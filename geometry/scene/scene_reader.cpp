@@ -31,7 +31,7 @@ int dimension(const JsonNode& document) {
 std::string length_unit(const JsonNode& document) {
   const auto node = document.optional("length_unit");
   if (!node) return "m";
-  const std::string unit = node->string("a unit of length (a string), such as \"m\"");
+  std::string unit = node->string("a unit of length (a string), such as \"m\"");
   const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
   if (unit.empty() || unit.size() > 40 || std::any_of(unit.begin(), unit.end(), is_control)) {
     node->refuse_value("a unit of length of 1 to 40 printable bytes");

@@ -87,7 +87,7 @@ class ExactSpace {
     int axis_sign = 0;
     double bound = 0;
     std::optional<PlaneId> reverse_of;
-    Quadruple<Interval> approximate;
+    Quadruple<Interval> approximate{Interval(0), Interval(0), Interval(0), Interval(0)};
     mutable std::optional<Quadruple<Rational>> exact;
   };
   struct Vertex {
@@ -95,7 +95,7 @@ class ExactSpace {
     bool input = false;
     std::array<Point3, 2> points;  ///< of an input point (first) or direction (from, to)
     std::vector<PlaneId> planes;   ///< known planes; the first three define a meet
-    Quadruple<Interval> approximate;
+    Quadruple<Interval> approximate{Interval(0), Interval(0), Interval(0), Interval(0)};
     mutable std::optional<Quadruple<Rational>> exact;
   };
 

@@ -5,6 +5,7 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPNGReader.h>
+#include <vtkSmartPointer.h>
 
 #include <array>
 #include <cmath>

@@ -29,7 +29,7 @@ std::string contents(const fs::path& file) {
 
 }  // namespace
 
-Program::Program() : folder_(fresh_folder()) {
+Program::Program(Display display) : display_(display), folder_(fresh_folder()) {
   fs::create_directory(folder_ / "run");
   fs::create_directory_symlink(GNOMON_EXAMPLES, folder_ / "run" / "examples");
 }
@@ -47,9 +47,9 @@ Outcome Program::shell(const std::string& command) const {
   // What is captured lies outside of the folder that the program sees.
   const std::string out = (folder_ / "out").string();
   const std::string err = (folder_ / "err").string();
-  const std::string all = "cd '" + (folder_ / "run").string() +
-                          "' && unset DISPLAY && GNOMON='" GNOMON_PROGRAM "' && { " + command + "\n} </dev/null >'" +
-                          out + "' 2>'" + err + "'";
+  const std::string prepare = "cd '" + (folder_ / "run").string() + "' && GNOMON='" GNOMON_PROGRAM "' && ";
+  const std::string hide = display_ == Display::hidden ? "unset DISPLAY && " : "";
+  const std::string all = prepare + hide + "{ " + command + "\n} </dev/null >'" + out + "' 2>'" + err + "'";
   const int status = std::system(all.c_str());
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return {code, contents(out), contents(err)};

@@ -19,10 +19,13 @@ struct Outcome {
 /// Runs the built program in a folder of its own, where the examples of the project lie in `examples`.
 class Program : public ::testing::Test {
  protected:
-  Program();
+  /// Whether the program finds the display that the tests run on.
+  enum class Display { hidden, shown };
+
+  explicit Program(Display display = Display::hidden);
   ~Program() override;
 
-  /// Runs `gnomon` with arguments as a POSIX shell reads them; redirections are allowed. There is no display.
+  /// Runs `gnomon` with arguments as a POSIX shell reads them; redirections are allowed.
   Outcome gnomon(const std::string& arguments) const;
 
   /// Runs a shell command in which $GNOMON is the program.
@@ -37,6 +40,7 @@ class Program : public ::testing::Test {
   std::vector<std::string> names_in(const std::string& folder) const;
 
  private:
+  Display display_;
   std::filesystem::path folder_;
 };
 

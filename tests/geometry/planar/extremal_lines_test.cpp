@@ -38,8 +38,8 @@ TEST(ExtremalLines, TouchOneEndOfALightWhoseLineMeetsTheBlocker) {
   EXPECT_EQ(lines_of({{0, 1}, {0, 2}}, {{-1, 0}, {1, 0}}), lines_named({0, 0}, {1, 1}));
 }
 
-TEST(ExtremalLines, TouchOneEndOfALightThatPointsPastTheBlocker) {
-  EXPECT_EQ(lines_of({{4, 1}, {5, 2}}, {{-1, 0}, {1, 0}}), lines_named({1, 0}, {0, 1}));
+TEST(ExtremalLines, FollowALightThatPointsPastTheBlocker) {
+  EXPECT_EQ(lines_of({{4, 1}, {5, 2}}, {{-1, 0}, {1, 0}}), lines_named({0, 1}, {1, 0}));
 }
 
 TEST(ExtremalLinesDegenerate, APointLightIsNamedForBothContacts) {

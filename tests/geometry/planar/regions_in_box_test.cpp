@@ -193,8 +193,8 @@ TEST(RegionsInBox, HaveTheAreasOfTheFigure) {
   EXPECT_EQ(regions.umbra.area.nearest, 1.0);
   EXPECT_FALSE(regions.umbra.truncated);
   EXPECT_TRUE(regions.penumbra.truncated);
-  EXPECT_EQ(regions.occlusion.area.exact, "519/4");
-  EXPECT_EQ(regions.penumbra.area.nearest, 128.75);
+  EXPECT_EQ(regions.occlusion.area.exact, "319/2");
+  EXPECT_EQ(regions.penumbra.area.nearest, 158.5);
 }
 
 TEST(RegionsInBox, RoundConstructedVerticesOnce) {

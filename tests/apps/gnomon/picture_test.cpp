@@ -1,0 +1,76 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/apps/gnomon/program_fixture.h"
+
+namespace gnomon {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+/// What `gnomon render` does where there is a display.
+class RenderedPicture : public Program {
+ protected:
+  RenderedPicture() : Program(Display::shown) { write("table.scene.json", table_scene); }
+
+  /// Width and height as the file's header states them, e.g. "800x600"; nothing if the file is no PNG.
+  std::string size_of(const std::string& png) const {
+    const std::string bytes = read(png);
+    if (bytes.size() < 24 || bytes.substr(0, 8) != "\x89PNG\r\n\x1a\n") return {};
+    const auto number = [&bytes](std::size_t start) {
+      unsigned value = 0;
+      for (std::size_t i = start; i < start + 4; ++i) value = value << 8U | static_cast<unsigned char>(bytes[i]);
+      return std::to_string(value);
+    };
+    return number(16) + "x" + number(20);
+  }
+};
+
+TEST_F(RenderedPicture, IsMadeOfAScene) {
+  const Outcome run = gnomon("render table.scene.json --out table.png");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("table.png"));
+  EXPECT_EQ(size_of("table.png"), "1280x960");
+}
+
+TEST_F(RenderedPicture, HasTheSizeAskedFor) {
+  EXPECT_EQ(gnomon("render table.scene.json --out table.png --size 320x200").code, 0);
+  EXPECT_EQ(size_of("table.png"), "320x200");
+}
+
+TEST_F(RenderedPicture, IsMadeOfAFolderOfResults) {
+  ASSERT_EQ(gnomon("shadow table.scene.json --out shadows --quiet").code, 0);
+  const Outcome run = gnomon("render shadows --out shadows.png --quiet");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, IsEmpty());
+  EXPECT_EQ(size_of("shadows.png"), "1280x960");
+}
+
+TEST_F(RenderedPicture, WarnsOfPairsThatAreNotInIt) {
+  write("mixed.scene.json", mixed_scene);
+  const Outcome run = gnomon("render mixed.scene.json --out mixed.png");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_THAT(run.err, HasSubstr("5 of 6 pairs"));
+}
+
+TEST_F(RenderedPicture, FollowsTheExamplesInTheHelp) {
+  const std::vector<std::string> examples = examples_of(gnomon("render --help").out);
+  ASSERT_THAT(examples, SizeIs(2));
+  for (const std::string& example : examples) {
+    const Outcome run = gnomon(example);
+    EXPECT_EQ(run.code, 0) << example << '\n' << run.err;
+  }
+}
+
+TEST_F(RenderedPicture, OldOneSurvivesWhereTheNewOneCannotBeMade) {
+  ASSERT_EQ(gnomon("render table.scene.json --out table.png").code, 0);
+  const std::string before = read("table.png");
+  write("table.scene.json", "{}");
+  EXPECT_EQ(gnomon("render table.scene.json --out table.png").code, 3);
+  EXPECT_EQ(read("table.png"), before);
+}
+
+}  // namespace
+}  // namespace gnomon
