@@ -1,5 +1,6 @@
-# What `cmake --install` puts where: the program, the libraries, their headers below include/gnomon, and the package
+# What `cmake --install` puts where: the program, the libraries, their public headers below include/gnomon, and the package
 # that find_package(gnomon CONFIG) reads. The viz library has a file of its own there, because it alone needs VTK.
+# A header is public if all it includes is public too, or the standard library's.
 include(CMakePackageConfigHelpers)
 
 set(gnomon_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/gnomon)
@@ -7,7 +8,33 @@ set(gnomon_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/gnomon)
 install(TARGETS gnomon)
 install(TARGETS gnomon_geometry gnomon_scene EXPORT gnomonTargets)
 install(TARGETS gnomon_viz EXPORT gnomonVizTargets)
-install(DIRECTORY geometry viz DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gnomon FILES_MATCHING PATTERN "*.h")
+foreach(header IN ITEMS
+    geometry/contact.h
+    geometry/errors.h
+    geometry/exact_number.h
+    geometry/indices.h
+    geometry/planar/extremal_lines.h
+    geometry/planar/pair.h
+    geometry/planar/region_of.h
+    geometry/planar/regions.h
+    geometry/planar/regions_in_box.h
+    geometry/point.h
+    geometry/region.h
+    geometry/scene/scene.h
+    geometry/scene/scene_reader.h
+    geometry/spatial/convex_polygon.h
+    geometry/spatial/extremal_planes.h
+    geometry/spatial/light.h
+    geometry/spatial/position.h
+    geometry/spatial/shadow_volume.h
+    geometry/spatial/volume_mesh.h
+    viz/display.h
+    viz/picture.h
+    viz/shadow_result.h
+    viz/shadow_writer.h)
+  cmake_path(GET header PARENT_PATH folder)
+  install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gnomon/${folder})
+endforeach()
 install(EXPORT gnomonTargets NAMESPACE gnomon:: DESTINATION ${gnomon_package_dir})
 install(EXPORT gnomonVizTargets NAMESPACE gnomon:: DESTINATION ${gnomon_package_dir})
 

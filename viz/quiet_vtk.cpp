@@ -1,5 +1,6 @@
 #include "viz/quiet_vtk.h"
 
+#include <vtkLogger.h>
 #include <vtkOutputWindow.h>
 #include <vtkStringOutputWindow.h>
 
@@ -8,8 +9,12 @@
 namespace gnomon::viz {
 
 QuietVtk::QuietVtk()
-    : before_(vtkOutputWindow::GetInstance()), collected_(vtkSmartPointer<vtkStringOutputWindow>::New()) {
+    : verbosity_(vtkLogger::GetCurrentVerbosityCutoff()),
+      before_(vtkOutputWindow::GetInstance()),
+      collected_(vtkSmartPointer<vtkStringOutputWindow>::New()) {
   vtkOutputWindow::SetInstance(collected_);
+  // VTK's log repeats on stderr what the output window is told.
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
 }
 
 QuietVtk::~QuietVtk() {

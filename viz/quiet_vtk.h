@@ -21,6 +21,7 @@ class QuietVtk {
   std::string words() const;
 
  private:
+  int verbosity_;
   vtkSmartPointer<vtkOutputWindow> before_;
   vtkSmartPointer<vtkStringOutputWindow> collected_;
 };

@@ -30,7 +30,7 @@ int main() {
 
   std::printf("%zu separating and %zu supporting planes\n", planes.separating_blocker.size(),
               planes.supporting_blocker.size());
-  const bool aligned_squares = planes.separating_blocker.size() == 4 && planes.separating_light.empty() &&
-                               planes.supporting_blocker.size() == 4;
+  const bool aligned_squares =
+      planes.separating_blocker.size() == 4 && planes.separating_light.empty() && planes.supporting_blocker.size() == 4;
   return below_is_dark && beside_is_lit && aligned_squares ? 0 : 1;
 }

@@ -51,7 +51,8 @@ def check_block(name, data, listed, arrays):
 
 def check_blocks(folder, manifest):
     reader = simple.OpenDataFile(os.path.join(folder, manifest["roots"][0]))
-    data = servermanager.Fetch(reader)
+    reader.UpdatePipeline()
+    data = reader.GetClientSideObject().GetOutputDataObject(0)
     listed = {block["name"]: block for block in manifest["blocks"] if not block["empty"]}
     found = leaves(data)
     expect_equal(sorted(name for name, _ in found), sorted(listed), "block names")
