@@ -33,12 +33,24 @@ int oversampling(const PictureOptions& options) {
   return std::max(options.width, options.height) <= 4096 ? 2 : 1;
 }
 
-constexpr double legend_share = 0.21;
+/// The parts of the picture for the scene and for the legend: xmin, ymin, xmax, ymax, each from 0 to 1.
+struct Layout {
+  double scene[4];
+  double legend[4];
+};
+
+Layout layout(const PictureOptions& options) {
+  if (options.width >= options.height) return {{0, 0, 0.79, 1}, {0.79, 0, 1, 1}};
+  return {{0, 0.3, 1, 1}, {0, 0, 1, 0.3}};
+}
 
 void add_scene(vtkRenderWindow& window, const viz::PictureScene& scene, const PictureOptions& options) {
-  const viz::PictureView view = viz::three_quarter_view(scene, (1 - legend_share) * options.width / options.height);
+  Layout place = layout(options);
+  const double width = (place.scene[2] - place.scene[0]) * options.width;
+  const double height = (place.scene[3] - place.scene[1]) * options.height;
+  const viz::PictureView view = viz::three_quarter_view(scene, width / height);
   vtkNew<vtkRenderer> renderer;
-  renderer->SetViewport(0, 0, 1 - legend_share, 1);
+  renderer->SetViewport(place.scene);
   renderer->SetBackground(1, 1, 1);
   renderer->SetUseDepthPeeling(1);
   renderer->SetMaximumNumberOfPeels(64);
@@ -55,12 +67,12 @@ void add_scene(vtkRenderWindow& window, const viz::PictureScene& scene, const Pi
   window.AddRenderer(renderer);
 }
 
-void add_legend(vtkRenderWindow& window, const viz::PictureScene& scene, double pixel) {
+void add_legend(vtkRenderWindow& window, const viz::PictureScene& scene, const PictureOptions& options) {
   vtkNew<vtkRenderer> renderer;
-  renderer->SetViewport(1 - legend_share, 0, 1, 1);
+  renderer->SetViewport(layout(options).legend);
   renderer->SetBackground(1, 1, 1);
   window.AddRenderer(renderer);
-  viz::add_legend(*renderer, scene, pixel);
+  viz::add_legend(*renderer, scene, oversampling(options));
 }
 
 void write_png(vtkRenderWindow& window, int shrink, const fs::path& file) {
@@ -104,7 +116,7 @@ void draw(const viz::PictureScene& scene, const fs::path& png, const PictureOpti
   window->SetAlphaBitPlanes(1);
   window->SetSize(oversampling(options) * options.width, oversampling(options) * options.height);
   add_scene(*window, scene, options);
-  add_legend(*window, scene, oversampling(options));
+  add_legend(*window, scene, options);
   window->Render();
 
   viz::StagedFolder folder(png.parent_path());

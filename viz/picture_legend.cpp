@@ -115,13 +115,14 @@ class LegendPage {
   double pixel_;
 };
 
-/// The letters' height with which the longest line fits the page.
+/// The letters' height with which everything fits the page.
 double letter_size(const LegendPage& page, const PictureScene& scene, const std::vector<Entry>& list) {
-  std::size_t longest = scene.title.size() + 2;
-  for (const Entry& entry : list) longest = std::max(longest, entry.text.size() + 6);
-  // Letters of this typeface are some 0.52 as wide as they are high.
-  const double fitting = page.width() / (0.52 * static_cast<double>(longest));
-  return std::min({fitting, 0.085 * page.width(), 0.03 * page.height()});
+  // A letter of this typeface is a little more than half as wide as it is high.
+  constexpr double letter = 0.57;
+  double widest = letter * 1.2 * static_cast<double>(scene.title.size()) + 0.6;
+  for (const Entry& entry : list) widest = std::max(widest, letter * static_cast<double>(entry.text.size()) + 3.2);
+  const double lines = 4 + 2.1 * static_cast<double>(list.size());
+  return std::min({page.width() / widest, page.height() / lines, 0.08 * page.width()});
 }
 
 }  // namespace

@@ -36,7 +36,8 @@ PictureReceiver receiver(const PictureBlock& block, const std::vector<Point3>& s
   PictureReceiver result{block.path.back(), points_of(*block.data), {}, false};
   result.plane = polygon_plane(result.polygon);
   const auto [low, high] = std::ranges::minmax(scene, {}, [&](const Point3& p) { return result.plane.distance(p); });
-  const double slack = 1e-7 * size;
+  // Walls of real rooms are not quite square.
+  const double slack = 0.01 * size;
   const bool front = result.plane.distance(low) >= -slack;
   const bool back = result.plane.distance(high) <= slack;
   result.ends_scene = front != back;

@@ -19,7 +19,7 @@ Rational fraction(const PlanarCase& drawn, const ExactVector& p) {
 }
 
 bool is_partial(const Rational& f) {
-  return f > 0 && f < 1;
+  return f != 0 && f != 1;
 }
 
 Region region_with(const Rational& f) {
