@@ -19,7 +19,7 @@ constexpr std::size_t largest_mesh_file = std::size_t{128} << 20;
 std::filesystem::path checked_path(const JsonNode& node, const std::string& file) {
   const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20; };
   if (file.empty() || std::any_of(file.begin(), file.end(), is_control)) node.refuse_value("the name of a mesh file");
-  const std::filesystem::path path(file);
+  std::filesystem::path path(file);
   if (path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end()) {
     node.refuse_value("a file beside the scene: no absolute path, no \"..\"");
   }

@@ -45,6 +45,7 @@ PlanarLight read_light(const SceneElement& element) {
 
 std::vector<PlanarLight> read_planar_lights(const std::vector<SceneElement>& elements) {
   std::vector<PlanarLight> lights;
+  lights.reserve(elements.size());
   for (const SceneElement& element : elements) lights.push_back(read_light(element));
   return lights;
 }

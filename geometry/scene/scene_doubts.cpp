@@ -71,8 +71,8 @@ void doubt_backs(const Scene& scene, std::vector<std::string>& doubts) {
 
 std::vector<std::string> scene_doubts(const Scene& scene) {
   std::vector<std::string> doubts;
-  if (scene.lights.empty() && scene.planar_lights.empty()) doubts.push_back("the scene has no light");
-  if (scene.blockers.empty() && scene.planar_blockers.empty()) doubts.push_back("the scene has no blocker");
+  if (scene.lights.empty() && scene.planar_lights.empty()) doubts.emplace_back("the scene has no light");
+  if (scene.blockers.empty() && scene.planar_blockers.empty()) doubts.emplace_back("the scene has no blocker");
   doubt_darkness(scene.lights, doubts);
   doubt_darkness(scene.planar_lights, doubts);
   doubt_duplicates(scene.blockers, doubts);
