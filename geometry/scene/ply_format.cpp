@@ -140,8 +140,10 @@ class Numbers {
       if (type.bytes == 8) return std::bit_cast<double>(bits);
       return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
     }
-    const auto unused = static_cast<int>(64 - 8 * type.bytes);
-    return static_cast<double>(static_cast<std::int64_t>(bits << unused) >> unused);
+    // Two's complement of at most 4 bytes: exact in doubles.
+    const double value = static_cast<double>(bits);
+    const double span = std::ldexp(1.0, static_cast<int>(8 * type.bytes));
+    return value >= span / 2 ? value - span : value;
   }
 
   [[noreturn]] void refuse_end(const std::string& place) const {
