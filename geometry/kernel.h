@@ -1,6 +1,6 @@
 #pragma once
 
-/// The CGAL kernels and number types of the project, named once. Only .cpp files include this header.
+/// The CGAL kernels and number types of the project, named once. Only .cpp files and private headers include this one.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Interval_nt.h>
