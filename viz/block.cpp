@@ -1,6 +1,7 @@
 #include "viz/block.h"
 
 #include <algorithm>
+#include <array>
 
 namespace gnomon::viz {
 namespace {
@@ -10,25 +11,37 @@ bool is_truncated(const PairResult& pair) {
          (pair.meshes.occlusion.truncated || pair.meshes.umbra.truncated || pair.meshes.penumbra.truncated);
 }
 
+bool is_truncated_in_plane(const PlanarPairResult& pair) {
+  return pair.in_box.occlusion.truncated || pair.in_box.umbra.truncated || pair.in_box.penumbra.truncated;
+}
+
 /// Names and volumes of the supported pairs, list by list.
 struct PairLists {
   std::vector<std::string> lights;
   std::vector<std::string> blockers;
   std::vector<double> totals[3];
   std::vector<std::string> exact_totals[3];
+
+  void add(const std::string& light, const std::string& blocker, const std::array<const ExactNumber*, 3>& sizes) {
+    lights.push_back(light);
+    blockers.push_back(blocker);
+    for (std::size_t i = 0; i < 3; ++i) {
+      totals[i].push_back(sizes[i]->nearest);
+      exact_totals[i].push_back(sizes[i]->exact);
+    }
+  }
 };
 
 PairLists pair_lists(const ShadowResult& result) {
   PairLists lists;
   for (const PairResult& pair : result.pairs) {
+    const ShadowMeshes& meshes = pair.meshes;
     if (!pair.supported) continue;
-    lists.lights.push_back(pair.light);
-    lists.blockers.push_back(pair.blocker);
-    const VolumeMesh* const meshes[] = {&pair.meshes.occlusion, &pair.meshes.umbra, &pair.meshes.penumbra};
-    for (int i = 0; i < 3; ++i) {
-      lists.totals[i].push_back(meshes[i]->volume.nearest);
-      lists.exact_totals[i].push_back(meshes[i]->volume.exact);
-    }
+    lists.add(pair.light, pair.blocker, {&meshes.occlusion.volume, &meshes.umbra.volume, &meshes.penumbra.volume});
+  }
+  for (const PlanarPairResult& pair : result.planar_pairs) {
+    const planar::ShadowRegionsInBox& regions = pair.in_box;
+    lists.add(pair.light, pair.blocker, {&regions.occlusion.area, &regions.umbra.area, &regions.penumbra.area});
   }
   return lists;
 }
@@ -46,7 +59,9 @@ Fields leaf_fields(const ShadowResult& result, bool unbounded) {
 }
 
 Fields result_fields(const ShadowResult& result) {
-  Fields fields = leaf_fields(result, std::ranges::any_of(result.pairs, is_truncated));
+  const bool unbounded = std::ranges::any_of(result.pairs, is_truncated) ||
+                         std::ranges::any_of(result.planar_pairs, is_truncated_in_plane);
+  Fields fields = leaf_fields(result, unbounded);
   PairLists lists = pair_lists(result);
   fields.push_back({"pair_lights", std::move(lists.lights)});
   fields.push_back({"pair_blockers", std::move(lists.blockers)});
@@ -55,6 +70,20 @@ Fields result_fields(const ShadowResult& result) {
     fields.push_back({names[i] + "_volume_total", std::move(lists.totals[i])});
     fields.push_back({names[i] + "_volume_exact", std::move(lists.exact_totals[i])});
   }
+  return fields;
+}
+
+Fields element_fields(const ShadowResult& result, const std::string& name, const std::string& shape) {
+  Fields fields = leaf_fields(result, false);
+  fields.push_back({"name", std::vector<std::string>{name}});
+  fields.push_back({"shape", std::vector<std::string>{shape}});
+  return fields;
+}
+
+Fields pair_fields(const ShadowResult& result, const std::string& light, const std::string& blocker, bool unbounded) {
+  Fields fields = leaf_fields(result, unbounded);
+  fields.push_back({"light", std::vector<std::string>{light}});
+  fields.push_back({"blocker", std::vector<std::string>{blocker}});
   return fields;
 }
 

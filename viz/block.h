@@ -23,11 +23,17 @@ struct Block {
 };
 
 /// What is known of a result as a whole: producer, version, scene, length_unit, unbounded, clip_box, and the exact
-/// volumes of every supported pair, one entry per pair.
+/// volumes (areas in the plane) of every supported pair, one entry per pair.
 Fields result_fields(const ShadowResult& result);
 
 /// What every leaf says of the result it belongs to: the first fields of result_fields, with its own `unbounded`.
 Fields leaf_fields(const ShadowResult& result, bool unbounded);
+
+/// What the leaf of a light, blocker or receiver says.
+Fields element_fields(const ShadowResult& result, const std::string& name, const std::string& shape);
+
+/// What the leaves of a pair say.
+Fields pair_fields(const ShadowResult& result, const std::string& light, const std::string& blocker, bool unbounded);
 
 /// Adds a block, and its fields to its data.
 void append_block(std::vector<Block>& blocks, Block block);
@@ -36,7 +42,12 @@ void append_block(std::vector<Block>& blocks, Block block);
 void append_scene_blocks(std::vector<Block>& blocks, const ShadowResult& result);
 
 /// All blocks of a result, empty ones too. Polygons and triangles run counterclockwise seen from outside a volume, or
-/// from a polygon's front; points are doubles.
+/// from a polygon's front; points are doubles. A scene of dimension 2 gives planar_shadow_blocks.
 std::vector<Block> shadow_blocks(const ShadowResult& result);
+
+/// All blocks of a result of dimension 2, empty ones too, named as in space and lying at z = 0: regions are convex
+/// polygons, counterclockwise, in the place of volumes, extremal lines stand for planes, segments are lines. There are
+/// no solids.
+std::vector<Block> planar_shadow_blocks(const ShadowResult& result);
 
 }  // namespace gnomon::viz

@@ -18,15 +18,18 @@ constexpr CellArray arrays[] = {
      "together"},
     {"light_id", "int32", "-1", "position in the scene's list of lights"},
     {"blocker_id", "int32", "-1", "position in the scene's list of blockers"},
-    {"facet_id", "int32", "-1", "triangles of one flat facet of the block's surface share the number"},
+    {"facet_id", "int32", "-1",
+     "triangles of one flat facet of the block's surface share the number; in the plane every cell has its own"},
     {"facet_kind", "uint8", "255",
      "0 blocker face, 1 separating blocker plane, 2 separating light plane, 3 supporting blocker plane, 4 clip box, "
      "5 light plane"},
     {"edge_index", "int32", "-1",
      "edge i runs from vertex i to i + 1 as in the scene file: a blocker edge for kinds 1 and 3, a light edge for 2, "
-     "the side (x min, x max, y min, y max, z min, z max) for 4"},
+     "the side (x min, x max, y min, y max, z min, z max) for 4; in the plane the blocker's end for 1 and 3"},
     {"vertex_index", "int32", "-1",
-     "the vertex that the plane touches: of the light for kinds 1 and 3, of the blocker for 2"},
+     "the vertex that the plane touches: of the light for kinds 1 and 3, of the blocker for 2; in the plane the "
+     "light's "
+     "end for 1 and 3"},
     {"discontinuity_order", "int32", "-1", "order of the discontinuity of the visible fraction across the cell"},
     {"visible_fraction", "float64", "nan",
      "visible part of the light inside the cell or behind the surface, where it is one number"},

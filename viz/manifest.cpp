@@ -49,6 +49,26 @@ Json pair_json(const PairResult& pair) {
   return json;
 }
 
+Json region_json(const planar::PlanarRegion& region, const planar::RegionInBox& in_box) {
+  return {{"empty", region.empty()},
+          {"bounded", region.bounded()},
+          {"components", region.components},
+          {"volume_in_box", in_box.area.nearest},
+          {"volume_in_box_exact", in_box.area.exact}};
+}
+
+Json pair_json(const PlanarPairResult& pair) {
+  return {{"light", pair.light},
+          {"blocker", pair.blocker},
+          {"light_id", pair.light_id},
+          {"blocker_id", pair.blocker_id},
+          {"supported", true},
+          {"position", gnomon::name(pair.position)},
+          {"occlusion", region_json(pair.regions.occlusion, pair.in_box.occlusion)},
+          {"umbra", region_json(pair.regions.umbra, pair.in_box.umbra)},
+          {"penumbra", region_json(pair.regions.penumbra, pair.in_box.penumbra)}};
+}
+
 Json block_json(const WrittenBlock& written) {
   const Block& block = *written.block;
   Json json = {{"path", block.path},
@@ -62,6 +82,11 @@ Json block_json(const WrittenBlock& written) {
                {"field_data", fields_json(block.fields)}};
   if (!written.files.empty()) json["file"] = written.files.front();
   return json;
+}
+
+Box3 box_of(const Json& sides) {
+  const auto side = [&](std::size_t i) { return sides.at(i).get<double>(); };
+  return {{side(0), side(1), side(2)}, {side(3), side(4), side(5)}};
 }
 
 Json parsed(const std::filesystem::path& file) {
@@ -85,6 +110,7 @@ std::string manifest_text(const ShadowResult& result, const ManifestEntries& ent
   json["cell_arrays"] = arrays_json();
   json["pairs"] = Json::array();
   for (const PairResult& pair : result.pairs) json["pairs"].push_back(pair_json(pair));
+  for (const PlanarPairResult& pair : result.planar_pairs) json["pairs"].push_back(pair_json(pair));
   json["blocks"] = Json::array();
   for (const WrittenBlock& block : entries.blocks) json["blocks"].push_back(block_json(block));
   json["files"] = entries.files;
@@ -98,6 +124,8 @@ ListedResult read_manifest(const std::filesystem::path& directory) {
   try {
     ListedResult result;
     result.scene = json.at("field_data").at("scene").at(0);
+    result.dimension = json.at("dimension");
+    result.clip_box = box_of(json.at("field_data").at("clip_box"));
     for (const Json& pair : json.at("pairs")) result.complete = result.complete && pair.at("supported").get<bool>();
     for (const Json& block : json.at("blocks")) {
       const Json& name = block.at("file");

@@ -33,6 +33,8 @@ struct ListedBlock {
 
 struct ListedResult {
   std::string scene;
+  int dimension = 3;
+  Box3 clip_box;
   bool complete = true;  ///< every pair is supported
   std::vector<ListedBlock> blocks;
 };

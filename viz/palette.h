@@ -13,9 +13,12 @@ struct Palette {
   Color light = {0.94, 0.76, 0.05};
   Color blocker = {0.84, 0.37, 0.00};
   Color receiver = {0.95, 0.93, 0.87};
+  Color lit = {1.00, 0.97, 0.86};
   Color penumbra = {0.47, 0.71, 0.89};
   Color umbra = {0.07, 0.22, 0.42};
   Color occlusion = {0.60, 0.60, 0.60};
+  Color separating = {0.72, 0.11, 0.42};
+  Color supporting = {0.00, 0.48, 0.32};
   Color edge = {0.12, 0.12, 0.14};
 };
 

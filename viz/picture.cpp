@@ -20,6 +20,7 @@
 #include "viz/manifest.h"
 #include "viz/picture_actors.h"
 #include "viz/picture_legend.h"
+#include "viz/planar_picture.h"
 #include "viz/quiet_vtk.h"
 #include "viz/staged_folder.h"
 
@@ -44,35 +45,49 @@ Layout layout(const PictureOptions& options) {
   return {{0, 0.3, 1, 1}, {0, 0, 1, 0.3}};
 }
 
-void add_scene(vtkRenderWindow& window, const viz::PictureScene& scene, const PictureOptions& options) {
-  Layout place = layout(options);
-  const double width = (place.scene[2] - place.scene[0]) * options.width;
-  const double height = (place.scene[3] - place.scene[1]) * options.height;
-  const viz::PictureView view = viz::three_quarter_view(scene, width / height);
-  vtkNew<vtkRenderer> renderer;
-  renderer->SetViewport(place.scene);
-  renderer->SetBackground(1, 1, 1);
-  renderer->SetUseDepthPeeling(1);
-  renderer->SetMaximumNumberOfPeels(64);
-  renderer->SetOcclusionRatio(0);
-  viz::add_actors(*renderer, scene, view, oversampling(options));
-  vtkCamera* camera = renderer->GetActiveCamera();
+viz::DrawingSize drawing_size(const Layout& place, const PictureOptions& options) {
+  return {(place.scene[2] - place.scene[0]) * options.width, (place.scene[3] - place.scene[1]) * options.height};
+}
+
+void add_spatial_scene(vtkRenderer& renderer, const viz::PictureScene& scene, const PictureOptions& options) {
+  const viz::DrawingSize size = drawing_size(layout(options), options);
+  const viz::PictureView view = viz::three_quarter_view(scene, size.width / size.height);
+  renderer.SetUseDepthPeeling(1);
+  renderer.SetMaximumNumberOfPeels(64);
+  renderer.SetOcclusionRatio(0);
+  viz::add_actors(renderer, scene, view, oversampling(options));
+  vtkCamera* camera = renderer.GetActiveCamera();
   camera->SetPosition(view.position.x, view.position.y, view.position.z);
   camera->SetFocalPoint(view.focus.x, view.focus.y, view.focus.z);
   camera->SetViewUp(view.up.x, view.up.y, view.up.z);
   camera->SetViewAngle(view.angle);
-  renderer->ResetCameraClippingRange();
+  renderer.ResetCameraClippingRange();
   vtkNew<vtkLightKit> lights;
-  lights->AddLightsToRenderer(renderer);
-  window.AddRenderer(renderer);
+  lights->AddLightsToRenderer(&renderer);
 }
 
-void add_legend(vtkRenderWindow& window, const viz::PictureScene& scene, const PictureOptions& options) {
+/// Returns: the legend of what has been added.
+viz::Legend add_scene(vtkRenderWindow& window, const viz::PictureSource& source, const PictureOptions& options) {
+  Layout place = layout(options);
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetViewport(place.scene);
+  renderer->SetBackground(1, 1, 1);
+  window.AddRenderer(renderer);
+  if (source.dimension == 2) {
+    viz::add_planar_drawing(*renderer, source, drawing_size(place, options));
+    return {source.title, viz::planar_legend(source)};
+  }
+  const viz::PictureScene scene = viz::picture_scene(source);
+  add_spatial_scene(*renderer, scene, options);
+  return {source.title, viz::legend_entries(scene)};
+}
+
+void add_legend(vtkRenderWindow& window, const viz::Legend& legend, const PictureOptions& options) {
   vtkNew<vtkRenderer> renderer;
   renderer->SetViewport(layout(options).legend);
   renderer->SetBackground(1, 1, 1);
   window.AddRenderer(renderer);
-  viz::add_legend(*renderer, scene, oversampling(options));
+  viz::add_legend(*renderer, legend, oversampling(options));
 }
 
 void write_png(vtkRenderWindow& window, int shrink, const fs::path& file) {
@@ -107,7 +122,7 @@ class LinesInFront {
   int before_;
 };
 
-void draw(const viz::PictureScene& scene, const fs::path& png, const PictureOptions& options) {
+void draw(const viz::PictureSource& source, const fs::path& png, const PictureOptions& options) {
   const viz::QuietVtk quiet;
   const LinesInFront lines_in_front;
   vtkNew<vtkRenderWindow> window;
@@ -115,8 +130,8 @@ void draw(const viz::PictureScene& scene, const fs::path& png, const PictureOpti
   window->SetMultiSamples(0);
   window->SetAlphaBitPlanes(1);
   window->SetSize(oversampling(options) * options.width, oversampling(options) * options.height);
-  add_scene(*window, scene, options);
-  add_legend(*window, scene, options);
+  const viz::Legend legend = add_scene(*window, source, options);
+  add_legend(*window, legend, options);
   window->Render();
 
   viz::StagedFolder folder(png.parent_path());
@@ -149,18 +164,19 @@ std::string title(const std::string& scene) {
 void render_scene(const ShadowResult& result, const fs::path& png, const PictureOptions& options) {
   if (result.scene == nullptr) throw PreconditionError("render_scene: a result without a scene");
   check(png, options);
-  viz::PictureSource source{title(result.scene->source), std::ranges::all_of(result.pairs, &PairResult::supported), {}};
+  const bool complete = std::ranges::all_of(result.pairs, &PairResult::supported);
+  viz::PictureSource source{title(result.scene->source), complete, result.scene->dimension, result.clip_box, {}};
   for (const viz::Block& block : viz::shadow_blocks(result)) {
     auto surface = vtkSmartPointer<vtkPolyData>(vtkPolyData::SafeDownCast(block.data));
     if (surface != nullptr && !block.empty()) source.blocks.push_back({block.path, block.kind, surface});
   }
-  draw(viz::picture_scene(source), png, options);
+  draw(source, png, options);
 }
 
 void render_result(const fs::path& directory, const fs::path& png, const PictureOptions& options) {
   check(png, options);
   const viz::ListedResult listed = viz::read_manifest(directory);
-  viz::PictureSource source{title(listed.scene), listed.complete, {}};
+  viz::PictureSource source{title(listed.scene), listed.complete, listed.dimension, listed.clip_box, {}};
   for (const viz::ListedBlock& block : listed.blocks) {
     if (fs::path(block.file).extension() != ".vtp") continue;
     source.blocks.push_back({block.path, block.kind, viz::read_surface(directory / block.file)});
@@ -169,7 +185,7 @@ void render_result(const fs::path& directory, const fs::path& png, const Picture
     throw std::runtime_error("cannot draw " + directory.string() +
                              ": it holds no surfaces; write it with `gnomon shadow --format vtm` or vtpc");
   }
-  draw(viz::picture_scene(source), png, options);
+  draw(source, png, options);
 }
 
 }  // namespace gnomon

@@ -24,6 +24,8 @@ struct PictureOptions {
 /// side ends the volumes. Walls that hide the scene from the camera are drawn as outlines. A picture is no proof:
 /// these cuts are made in doubles.
 ///
+/// A scene of the plane becomes a drawing: the clip box with its regions filled, the extremal lines, light and blocker.
+///
 /// Requires: result.scene is not null; width and height at least 64.
 /// Throws:   NoDisplayError; std::runtime_error naming the file that could not be written; PreconditionError.
 void render_scene(const ShadowResult& result, const std::filesystem::path& png, const PictureOptions& options = {});

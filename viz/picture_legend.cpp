@@ -13,18 +13,12 @@
 #include <algorithm>
 #include <vector>
 
-#include "viz/palette.h"
 #include "viz/vtk_cells.h"
 
 namespace gnomon::viz {
 namespace {
 
 enum class Weight { plain, bold };
-
-struct Entry {
-  std::string text;
-  Color color;
-};
 
 /// Part `share` of the colour, the rest white: how a translucent surface looks.
 Color faint(const Color& color, double share) {
@@ -45,22 +39,6 @@ std::string receiver_text(const PictureScene& scene) {
   return scene.complete ? text + ", lit" : text;
 }
 
-std::vector<Entry> entries(const PictureScene& scene) {
-  std::vector<Entry> list;
-  const auto cells = [](const auto& surface) { return surface->GetNumberOfCells() > 0; };
-  const auto painted = [&](bool umbra) {
-    return std::ranges::any_of(scene.shadows, [&](const PaintedShadow& shadow) { return shadow.umbra == umbra; });
-  };
-  if (!scene.lights.empty()) list.push_back({titled("light", scene.lights), palette.light});
-  if (!scene.blockers.empty()) list.push_back({titled("blocker", scene.blockers), palette.blocker});
-  if (std::ranges::any_of(scene.umbras, cells)) list.push_back({"umbra volume", faint(palette.umbra, 0.72)});
-  if (std::ranges::any_of(scene.penumbras, cells)) list.push_back({"penumbra volume", faint(palette.penumbra, 0.42)});
-  if (!scene.receivers.empty()) list.push_back({receiver_text(scene), palette.receiver});
-  if (painted(false)) list.push_back({"penumbra on receiver", palette.penumbra});
-  if (painted(true)) list.push_back({"umbra on receiver", palette.umbra});
-  return list;
-}
-
 /// Where the legend is drawn, in pixels of its renderer.
 class LegendPage {
  public:
@@ -70,19 +48,18 @@ class LegendPage {
   double height() const { return renderer_.GetSize()[1]; }
 
   void swatch(double x, double y, double width, double height, const Color& color) {
-    const std::vector<Point3> corners = {{x, y, 0}, {x + width, y, 0}, {x + width, y + height, 0}, {x, y + height, 0}};
-    vtkNew<vtkCellArray> inside;
-    insert_cell(*inside, std::vector<int>{0, 1, 2, 3});
-    vtkNew<vtkCellArray> border;
-    insert_cell(*border, std::vector<int>{0, 1, 2, 3, 0});
-    vtkNew<vtkPolyData> filled;
-    filled->SetPoints(vtk_points(corners));
-    filled->SetPolys(inside);
-    add(filled, color);
-    vtkNew<vtkPolyData> outline;
-    outline->SetPoints(vtk_points(corners));
-    outline->SetLines(border);
-    add(outline, palette.edge);
+    rectangle(x, y, width, height, color, palette.edge);
+  }
+
+  /// `y` is the middle of the line.
+  void line(double x, double y, double width, const LegendEntry& entry) {
+    const double thick = 2.5 * pixel_;
+    const int parts = entry.mark == LegendMark::dashed ? 3 : 1;
+    // Gaps are four fifths of a dash.
+    const double dash = width / (parts + 0.8 * (parts - 1));
+    for (int i = 0; i < parts; ++i) {
+      rectangle(x + 1.8 * i * dash, y - thick / 2, dash, thick, entry.color, entry.color);
+    }
   }
 
   /// `y` is the middle of the line of text.
@@ -101,6 +78,22 @@ class LegendPage {
   }
 
  private:
+  void rectangle(double x, double y, double width, double height, const Color& color, const Color& border_color) {
+    const std::vector<Point3> corners = {{x, y, 0}, {x + width, y, 0}, {x + width, y + height, 0}, {x, y + height, 0}};
+    vtkNew<vtkCellArray> inside;
+    insert_cell(*inside, std::vector<int>{0, 1, 2, 3});
+    vtkNew<vtkCellArray> border;
+    insert_cell(*border, std::vector<int>{0, 1, 2, 3, 0});
+    vtkNew<vtkPolyData> filled;
+    filled->SetPoints(vtk_points(corners));
+    filled->SetPolys(inside);
+    add(filled, color);
+    vtkNew<vtkPolyData> outline;
+    outline->SetPoints(vtk_points(corners));
+    outline->SetLines(border);
+    add(outline, border_color);
+  }
+
   void add(vtkPolyData* data, const Color& color) {
     vtkNew<vtkPolyDataMapper2D> mapper;
     mapper->SetInputData(data);
@@ -116,26 +109,47 @@ class LegendPage {
 };
 
 /// The letters' height with which everything fits the page.
-double letter_size(const LegendPage& page, const PictureScene& scene, const std::vector<Entry>& list) {
+double letter_size(const LegendPage& page, const Legend& legend) {
   // A letter of this typeface is a little more than half as wide as it is high.
   constexpr double letter = 0.57;
-  double widest = letter * 1.2 * static_cast<double>(scene.title.size()) + 0.6;
-  for (const Entry& entry : list) widest = std::max(widest, letter * static_cast<double>(entry.text.size()) + 3.2);
-  const double lines = 4 + 2.1 * static_cast<double>(list.size());
+  double widest = letter * 1.2 * static_cast<double>(legend.title.size()) + 0.6;
+  for (const LegendEntry& entry : legend.entries) {
+    widest = std::max(widest, letter * static_cast<double>(entry.text.size()) + 3.2);
+  }
+  const double lines = 4 + 2.1 * static_cast<double>(legend.entries.size());
   return std::min({page.width() / widest, page.height() / lines, 0.08 * page.width()});
 }
 
 }  // namespace
 
-void add_legend(vtkRenderer& renderer, const PictureScene& scene, double pixel) {
+std::vector<LegendEntry> legend_entries(const PictureScene& scene) {
+  std::vector<LegendEntry> list;
+  const auto cells = [](const auto& surface) { return surface->GetNumberOfCells() > 0; };
+  const auto painted = [&](bool umbra) {
+    return std::ranges::any_of(scene.shadows, [&](const PaintedShadow& shadow) { return shadow.umbra == umbra; });
+  };
+  if (!scene.lights.empty()) list.push_back({titled("light", scene.lights), palette.light});
+  if (!scene.blockers.empty()) list.push_back({titled("blocker", scene.blockers), palette.blocker});
+  if (std::ranges::any_of(scene.umbras, cells)) list.push_back({"umbra volume", faint(palette.umbra, 0.72)});
+  if (std::ranges::any_of(scene.penumbras, cells)) list.push_back({"penumbra volume", faint(palette.penumbra, 0.42)});
+  if (!scene.receivers.empty()) list.push_back({receiver_text(scene), palette.receiver});
+  if (painted(false)) list.push_back({"penumbra on receiver", palette.penumbra});
+  if (painted(true)) list.push_back({"umbra on receiver", palette.umbra});
+  return list;
+}
+
+void add_legend(vtkRenderer& renderer, const Legend& legend, double pixel) {
   LegendPage page(renderer, pixel);
-  const std::vector<Entry> list = entries(scene);
-  const double size = letter_size(page, scene, list);
+  const double size = letter_size(page, legend);
   double y = page.height() - 3 * size;
-  page.text(scene.title, 0.3 * size, y, 1.15 * size, Weight::bold);
-  for (const Entry& entry : list) {
+  page.text(legend.title, 0.3 * size, y, 1.15 * size, Weight::bold);
+  for (const LegendEntry& entry : legend.entries) {
     y -= 2.1 * size;
-    page.swatch(0.3 * size, y - 0.7 * size, 2 * size, 1.4 * size, entry.color);
+    if (entry.mark == LegendMark::filled) {
+      page.swatch(0.3 * size, y - 0.7 * size, 2 * size, 1.4 * size, entry.color);
+    } else {
+      page.line(0.3 * size, y, 2 * size, entry);
+    }
     page.text(entry.text, 2.9 * size, y, size, Weight::plain);
   }
 }

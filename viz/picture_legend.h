@@ -1,16 +1,35 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "viz/palette.h"
 #include "viz/picture_scene.h"
 
 class vtkRenderer;
 
 namespace gnomon::viz {
 
-/// Adds the legend of what the scene shows to a renderer of its own, which has its place in a window.
+/// What stands before the words of an entry.
+enum class LegendMark { filled, line, dashed };
+
+struct LegendEntry {
+  std::string text;
+  Color color;
+  LegendMark mark = LegendMark::filled;
+};
+
+struct Legend {
+  std::string title;
+  std::vector<LegendEntry> entries;
+};
+
+/// What a picture of the scene shows.
+std::vector<LegendEntry> legend_entries(const PictureScene& scene);
+
+/// Adds a legend to a renderer of its own, which has its place in a window.
 ///
 /// Units: `pixel` as in add_actors.
-void add_legend(vtkRenderer& renderer, const PictureScene& scene, double pixel);
+void add_legend(vtkRenderer& renderer, const Legend& legend, double pixel);
 
 }  // namespace gnomon::viz

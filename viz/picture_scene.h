@@ -21,6 +21,8 @@ struct PictureBlock {
 struct PictureSource {
   std::string title;
   bool complete = true;  ///< false if the shadows of some pairs are not known
+  int dimension = 3;
+  Box3 clip_box;
   std::vector<PictureBlock> blocks;
 };
 

@@ -138,13 +138,6 @@ std::string shape_name(const BlockerShape& shape) {
   return names[shape.index()];
 }
 
-Fields element_fields(const ShadowResult& result, const std::string& name, const std::string& shape) {
-  Fields fields = leaf_fields(result, false);
-  fields.push_back({"name", std::vector<std::string>{name}});
-  fields.push_back({"shape", std::vector<std::string>{shape}});
-  return fields;
-}
-
 Fields light_fields(const ShadowResult& result, const SceneLight& light) {
   Fields fields = element_fields(result, light.name, shape_name(light.shape));
   const auto* area = std::get_if<AreaLight>(&light.shape);

@@ -86,15 +86,8 @@ vtkSmartPointer<vtkPointSet> plane_polygons(const std::vector<PlanePolygon>& pla
   return data;
 }
 
-Fields pair_fields(const ShadowResult& result, const PairResult& pair, bool unbounded) {
-  Fields fields = leaf_fields(result, unbounded);
-  fields.push_back({"light", std::vector<std::string>{pair.light}});
-  fields.push_back({"blocker", std::vector<std::string>{pair.blocker}});
-  return fields;
-}
-
 Fields volume_fields(const ShadowResult& result, const PairResult& pair, const VolumeMesh& mesh) {
-  Fields fields = pair_fields(result, pair, mesh.truncated);
+  Fields fields = pair_fields(result, pair.light, pair.blocker, mesh.truncated);
   fields.push_back({"volume_total", std::vector<double>{mesh.volume.nearest}});
   fields.push_back({"volume_exact", std::vector<std::string>{mesh.volume.exact}});
   return fields;
@@ -126,13 +119,14 @@ void append_solids(std::vector<Block>& blocks, const ShadowResult& result, const
 void append_planes(std::vector<Block>& blocks, const ShadowResult& result, const PairResult& pair) {
   append_block(blocks, {{"extremal_planes", pair.light, pair.blocker},
                         "extremal_planes",
-                        pair_fields(result, pair, true),
+                        pair_fields(result, pair.light, pair.blocker, true),
                         plane_polygons(pair.meshes.extremal_planes, volume_cell(pair, ""))});
 }
 
 }  // namespace
 
 std::vector<Block> shadow_blocks(const ShadowResult& result) {
+  if (result.scene->dimension == 2) return planar_shadow_blocks(result);
   std::vector<const PairResult*> pairs;
   for (const PairResult& pair : result.pairs) {
     if (pair.supported) pairs.push_back(&pair);

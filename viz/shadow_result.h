@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "geometry/planar/regions.h"
+#include "geometry/planar/regions_in_box.h"
 #include "geometry/point.h"
 #include "geometry/scene/scene.h"
 #include "geometry/spatial/position.h"
@@ -25,11 +27,23 @@ struct PairResult {
   ShadowMeshes meshes;
 };
 
+/// What one light and one segment of a scene of dimension 2 give. Every position is supported.
+struct PlanarPairResult {
+  std::uint32_t light_id = 0;    ///< index into Scene::planar_lights
+  std::uint32_t blocker_id = 0;  ///< index into Scene::planar_blockers
+  std::string light;
+  std::string blocker;  ///< part k of a polyline is named `fence#k`
+  Position position = Position::standard;
+  planar::ShadowRegions regions;
+  planar::ShadowRegionsInBox in_box;
+};
+
 /// A scene and its shadows, ready to be written and drawn.
 struct ShadowResult {
   const Scene* scene = nullptr;  ///< never null when used; outlives the result
-  Box3 clip_box;                 ///< the box by which the meshes are cut
+  Box3 clip_box;                 ///< the box by which the meshes are cut; in dimension 2, z runs from 0 to 0
   std::vector<PairResult> pairs;
+  std::vector<PlanarPairResult> planar_pairs = {};  ///< dimension 2, where `pairs` is empty
 };
 
 }  // namespace gnomon

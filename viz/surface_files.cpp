@@ -56,6 +56,17 @@ std::string obj_name(const std::vector<std::string>& path) {
   return joined(parts);
 }
 
+/// A corner of STL's soup has no number.
+using Corner = std::array<double, 3>;
+
+void write_stl_facet(std::ostream& out, const Corner& a, const Corner& b, const Corner& c) {
+  double normal[3];
+  vtkTriangle::ComputeNormal(a.data(), b.data(), c.data(), normal);
+  out << "facet normal " << normal[0] << ' ' << normal[1] << ' ' << normal[2] << "\n outer loop\n";
+  for (const Corner& p : {a, b, c}) out << "  vertex " << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+  out << " endloop\nendfacet\n";
+}
+
 }  // namespace
 
 vtkSmartPointer<vtkPolyData> merged_surfaces(std::span<const Block> blocks, const Fields& fields) {
@@ -105,13 +116,9 @@ std::string stl_text(vtkPolyData& surface, const std::string& name) {
     vtkIdType size = 0;
     const vtkIdType* points = nullptr;
     cell->GetCurrentCell(size, points);
-    double corners[3][3];
-    for (int i = 0; i < 3; ++i) surface.GetPoint(points[i], corners[i]);
-    double normal[3];
-    vtkTriangle::ComputeNormal(corners[0], corners[1], corners[2], normal);
-    out << "facet normal " << normal[0] << ' ' << normal[1] << ' ' << normal[2] << "\n outer loop\n";
-    for (const auto& p : corners) out << "  vertex " << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
-    out << " endloop\nendfacet\n";
+    std::vector<Corner> corners(static_cast<std::size_t>(size));
+    for (std::size_t i = 0; i < corners.size(); ++i) surface.GetPoint(points[i], corners[i].data());
+    for (std::size_t i = 2; i < corners.size(); ++i) write_stl_facet(out, corners[0], corners[i - 1], corners[i]);
   }
   out << "endsolid " << name << '\n';
   return out.str();

@@ -17,7 +17,7 @@ vtkSmartPointer<vtkPolyData> merged_surfaces(std::span<const Block> blocks, cons
 /// The same as the text of a Wavefront OBJ file: one group per block, named by its path as in file names.
 std::string obj_text(std::span<const Block> blocks);
 
-/// One triangle surface as the text of an STL file.
+/// One surface as the text of an STL file; convex polygons become fans of triangles.
 std::string stl_text(vtkPolyData& surface, const std::string& name);
 
 /// The surfaces of all blocks but solids as the text of a glTF 2.0 file that needs no other file.

@@ -17,6 +17,10 @@ RECEIVER = [0.95, 0.93, 0.87]
 EDGE = [0.12, 0.12, 0.14]
 PLANE = [0.45, 0.45, 0.50]
 
+# The cell array `facet_kind` of extremal lines.
+SEPARATING = (1, [0.72, 0.11, 0.42])
+SUPPORTING = (3, [0.00, 0.48, 0.32])
+
 # Number, name and colour of every value of the cell array `region`.
 REGIONS = [
     (0, "lit", [0.98, 0.91, 0.62]),
@@ -105,12 +109,18 @@ def region_colors(names):
     return table
 
 
-def without(source, name, facet_kind):
-    """The facets of other kinds: what lies on something else that is shown would flicker."""
+def only(source, name, facet_kind):
+    """The cells of one kind."""
     facets = simple.Threshold(registrationName=name, Input=source)
     facets.Scalars = ["CELLS", "facet_kind"]
     facets.LowerThreshold = facet_kind
     facets.UpperThreshold = facet_kind
+    return facets
+
+
+def without(source, name, facet_kind):
+    """The facets of other kinds: what lies on something else that is shown would flicker."""
+    facets = only(source, name, facet_kind)
     facets.Invert = 1
     return facets
 
@@ -176,6 +186,89 @@ def show_legend(view, table):
     bar.Visibility = 1
 
 
+def show_space(result):
+    """Returns the names of the regions shown."""
+    lights = result.part("lights", "light")
+    blockers = result.part("blockers", "blocker")
+    result.show(lights, LIGHT, edges=True)
+    result.show(blockers, BLOCKER, edges=True)
+    result.show(result.part("receivers", "receiver"), RECEIVER, edges=True)
+    # Blocker faces lie on the blockers, a penumbra's supporting planes on the umbra.
+    umbrae = show_volume(result, "umbra", 0.55, (0,))
+    penumbrae = show_volume(result, "penumbra", 0.3, (0, 3))
+
+    # There to be switched on.
+    for hidden in (result.part("occlusion volumes", "volume", "occlusion"),
+                   result.part("extremal planes", "extremal_planes")):
+        if hidden is not None:
+            result.show(hidden, PLANE, 0.3, edges=True)
+            simple.Hide(hidden, result.view)
+
+    set_camera(result.view, up_axis(lights, blockers))
+    return [name for name, source in (("umbra", umbrae), ("penumbra", penumbrae)) if source is not None]
+
+
+class Drawing:
+    """A result of the plane as paper: every layer lies a little above the one before, for what lies on something else
+    would flicker."""
+
+    def __init__(self, result, box):
+        self.result = result
+        self.box = box
+        self.step = 1e-3 * max(box[3] - box[0], box[4] - box[1])
+        self.layer = 0
+
+    def show(self, source, color, line_width=4.0):
+        if source is None:
+            return None
+        display = self.result.show(source, color)
+        display.Ambient = 1.0
+        display.Diffuse = 0.0
+        display.LineWidth = line_width
+        self.layer += 1
+        display.Position = [0.0, 0.0, self.layer * self.step]
+        return display
+
+    def show_region(self, name):
+        display = self.show(self.result.part(name + " regions", "volume", name), EDGE)
+        if display is not None:
+            simple.ColorBy(display, ("CELLS", "region"))
+        return display is not None
+
+    def show_lines(self):
+        lines = self.result.part("extremal lines", "extremal_planes")
+        if lines is None:
+            return
+        for name, (kind, color) in (("supporting lines", SUPPORTING), ("separating lines", SEPARATING)):
+            self.show(only(lines, name, kind), color, line_width=2.0)
+
+    def set_camera(self):
+        view = self.result.view
+        x, y = [(self.box[i] + self.box[i + 3]) / 2 for i in range(2)]
+        half_width, half_height = [(self.box[i + 3] - self.box[i]) / 2 for i in range(2)]
+        width, height = view.ViewSize
+        scale = max(half_height, half_width * height / width)
+        view.InteractionMode = "2D"
+        simple.Render(view)  # the first rendering chooses a camera of its own
+        view.CameraParallelProjection = 1
+        view.CameraFocalPoint = [x, y, 0.0]
+        view.CameraPosition = [x, y, 4.0 * scale]
+        view.CameraViewUp = [0.0, 1.0, 0.0]
+        view.CameraParallelScale = 1.25 * scale  # room for the legend
+
+
+def show_plane(result, box):
+    """Returns the names of the regions shown."""
+    drawing = Drawing(result, box)
+    names = [name for name in ("penumbra", "umbra") if drawing.show_region(name)]
+    drawing.show_lines()
+    drawing.show(result.part("receivers", "receiver"), PLANE)
+    drawing.show(result.part("blockers", "blocker"), BLOCKER, line_width=6.0)
+    drawing.show(result.part("lights", "light"), LIGHT, line_width=6.0)
+    drawing.set_camera()
+    return names
+
+
 def main(arguments):
     parser = argparse.ArgumentParser(prog="view.py", description="shows the result beside this file")
     parser.add_argument("--screenshot", metavar="FILE.png", help="write a picture and end")
@@ -189,26 +282,12 @@ def main(arguments):
     simple.Hide(reader, view)
 
     result = Result(reader, manifest, view)
-    lights = result.part("lights", "light")
-    blockers = result.part("blockers", "blocker")
-    result.show(lights, LIGHT, edges=True)
-    result.show(blockers, BLOCKER, edges=True)
-    result.show(result.part("receivers", "receiver"), RECEIVER, edges=True)
-    # Blocker faces lie on the blockers, a penumbra's supporting planes on the umbra.
-    umbrae = show_volume(result, "umbra", 0.55, (0,))
-    penumbrae = show_volume(result, "penumbra", 0.3, (0, 3))
-    names = [name for name, source in (("umbra", umbrae), ("penumbra", penumbrae)) if source is not None]
+    if manifest["dimension"] == 2:
+        names = show_plane(result, manifest["field_data"]["clip_box"])
+    else:
+        names = show_space(result)
     if names:
         show_legend(view, region_colors(names))
-
-    # There to be switched on.
-    for hidden in (result.part("occlusion volumes", "volume", "occlusion"),
-                   result.part("extremal planes", "extremal_planes")):
-        if hidden is not None:
-            result.show(hidden, PLANE, 0.3, edges=True)
-            simple.Hide(hidden, view)
-
-    set_camera(view, up_axis(lights, blockers))
     simple.Render(view)
     if options.screenshot:
         simple.SaveScreenshot(options.screenshot, view, ImageResolution=[1280, 960])

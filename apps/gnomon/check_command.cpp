@@ -40,7 +40,7 @@ Json check_json(const Scene& scene, const RecognisedElements& elements, const st
                {"dimension", scene.dimension},
                {"length_unit", scene.length_unit}};
   const std::optional<Box3> box = default_clip_box(scene);
-  json["clip_box"] = box ? box_json(*box) : Json();
+  json["clip_box"] = box ? box_json(*box, scene.dimension) : Json();
   json["lights"] = elements_json(elements.lights);
   json["blockers"] = elements_json(elements.blockers);
   json["receivers"] = elements_json(elements.receivers);
@@ -76,7 +76,7 @@ std::string section(const std::string& title, const std::vector<RecognisedElemen
 
 std::string check_text(const Scene& scene, const RecognisedElements& elements, const std::vector<ScenePair>& pairs) {
   std::string text = scene_text(scene) + '\n';
-  if (const auto box = default_clip_box(scene)) text += "default clip box: " + box_text(*box) + '\n';
+  if (const auto box = default_clip_box(scene)) text += "default clip box: " + box_text(*box, scene.dimension) + '\n';
   text += section("lights", elements.lights) + section("blockers", elements.blockers) +
           section("receivers", elements.receivers);
   std::vector<TextRow> rows;

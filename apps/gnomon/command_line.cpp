@@ -69,7 +69,8 @@ CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& text,
 
 void add_pair_options(CLI::App& app, CommonOptions& options) {
   add_text(app, "--box", options.box, "xmin,ymin,zmin,xmax,ymax,zmax",
-           "Cut unbounded volumes by this box (default: the scene's, grown by half its diagonal)");
+           "Cut unbounded volumes by this box (default: the scene's, grown by half its diagonal); in scenes of "
+           "dimension 2 xmin,ymin,xmax,ymax");
   add_text(app, "--light", options.light, "NAME", "Only the pairs of this light");
   add_text(app, "--blocker", options.blocker, "NAME", "Only the pairs of this blocker");
   app.add_option("--threads", options.threads, "Number of threads (default: one per processor)")

@@ -27,12 +27,37 @@ PairResult computed(const Scene& scene, const ScenePair& pair, const Box3& clip_
   return result;
 }
 
+PlanarPairResult computed_in_plane(const Scene& scene, const ScenePair& pair, const Box3& clip_box) {
+  planar::ShadowRegions regions = planar::shadow_regions(planar_pair(scene, pair));
+  const Box2 box{{clip_box.min.x, clip_box.min.y}, {clip_box.max.x, clip_box.max.y}};
+  planar::ShadowRegionsInBox in_box = planar::regions_in_box(regions, box);
+  return {static_cast<std::uint32_t>(pair.light_index),
+          static_cast<std::uint32_t>(pair.blocker_index),
+          pair.light,
+          pair.blocker,
+          *pair.position,
+          std::move(regions),
+          std::move(in_box)};
+}
+
+/// Segments are quick: helpers would cost more than they save.
+ShadowResult computed_in_plane(const Scene& scene, const std::vector<ScenePair>& pairs, const Box3& clip_box,
+                               Progress& progress) {
+  ShadowResult result{&scene, clip_box, {}};
+  for (const ScenePair& pair : pairs) {
+    result.planar_pairs.push_back(computed_in_plane(scene, pair, clip_box));
+    progress.step();
+  }
+  return result;
+}
+
 }  // namespace
 
 ShadowResult computed_shadows(const Scene& scene, const std::vector<ScenePair>& pairs, const Box3& clip_box,
                               const Effort& effort) {
   using enum Progress::Visibility;
   Progress progress("pair", pairs.size(), effort.shows_progress ? automatic : hidden);
+  if (scene.dimension == 2) return computed_in_plane(scene, pairs, clip_box, progress);
   ShadowResult result{&scene, clip_box, std::vector<PairResult>(pairs.size())};
   std::atomic<std::size_t> next = 0;
   const auto work = [&] {

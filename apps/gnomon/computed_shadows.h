@@ -13,7 +13,8 @@ struct Effort {
   bool shows_progress = true;  ///< on a terminal; nothing is shown elsewhere
 };
 
-/// The shadows of the supported pairs; result.pairs has the order of `pairs`, unsupported ones included.
+/// The shadows of the supported pairs; result.pairs (planar_pairs in dimension 2) has the order of `pairs`,
+/// unsupported ones included.
 ///
 /// Requires: `pairs` are of this scene, which outlives the result; the box as in shadow_meshes.
 ShadowResult computed_shadows(const Scene& scene, const std::vector<ScenePair>& pairs, const Box3& clip_box,

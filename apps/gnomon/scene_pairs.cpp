@@ -1,6 +1,7 @@
 #include "apps/gnomon/scene_pairs.h"
 
 #include <algorithm>
+#include <span>
 #include <string_view>
 #include <variant>
 
@@ -52,8 +53,35 @@ void judge(const SceneLight& light, const SceneBlocker& blocker, ScenePair& pair
   pair.reason = position_reason(*pair.position);
 }
 
-void judge(const PlanarLight&, const PlanarBlocker&, ScenePair& pair) {
-  pair.reason = "scenes of dimension 2 are not supported yet";
+planar::Pair planar_pair(const PlanarLight& light, const PlanarBlocker& blocker, std::size_t part) {
+  return planar::Pair::from_points(light.vertices, std::span(blocker.vertices).subspan(part, 2));
+}
+
+/// In the plane every position is supported.
+void judge(const PlanarLight& light, const PlanarBlocker& blocker, ScenePair& pair) {
+  pair.position = planar::pair_position(planar_pair(light, blocker, pair.part));
+}
+
+std::vector<std::string> part_names(const SceneBlocker& blocker) {
+  return {blocker.name};
+}
+
+/// A plain segment keeps its name.
+std::vector<std::string> part_names(const PlanarBlocker& blocker) {
+  if (blocker.vertices.size() == 2) return {blocker.name};
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k + 1 < blocker.vertices.size(); ++k) names.push_back(blocker.name + '#' + std::to_string(k));
+  return names;
+}
+
+template <class SomeLight, class SomeBlocker>
+void add_pairs(std::vector<ScenePair>& pairs, const SomeLight& light, const SomeBlocker& blocker, ScenePair pair) {
+  pair.light = light.name;
+  for (const std::string& part : part_names(blocker)) {
+    pair.blocker = part;
+    judge(light, blocker, pairs.emplace_back(pair));
+    ++pair.part;
+  }
 }
 
 template <class SomeLight, class SomeBlocker>
@@ -68,8 +96,7 @@ std::vector<ScenePair> selected_pairs(const std::vector<SomeLight>& lights, cons
   for (std::size_t l = 0; l < lights.size(); ++l) {
     for (std::size_t b = 0; b < blockers.size(); ++b) {
       if (!chosen(selection.light, lights[l].name) || !chosen(selection.blocker, blockers[b].name)) continue;
-      ScenePair& pair = pairs.emplace_back(ScenePair{l, b, lights[l].name, blockers[b].name, {}, {}});
-      judge(lights[l], blockers[b], pair);
+      add_pairs(pairs, lights[l], blockers[b], {l, b, 0, {}, {}, {}, {}});
     }
   }
   return pairs;
@@ -80,6 +107,10 @@ std::vector<ScenePair> selected_pairs(const std::vector<SomeLight>& lights, cons
 std::vector<ScenePair> scene_pairs(const Scene& scene, const PairSelection& selection) {
   if (scene.dimension == 2) return selected_pairs(scene.planar_lights, scene.planar_blockers, selection);
   return selected_pairs(scene.lights, scene.blockers, selection);
+}
+
+planar::Pair planar_pair(const Scene& scene, const ScenePair& pair) {
+  return planar_pair(scene.planar_lights[pair.light_index], scene.planar_blockers[pair.blocker_index], pair.part);
 }
 
 std::size_t supported_count(const std::vector<ScenePair>& pairs) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/planar/pair.h"
 #include "geometry/scene/scene.h"
 #include "geometry/spatial/position.h"
 
@@ -14,8 +15,9 @@ namespace gnomon {
 struct ScenePair {
   std::size_t light_index = 0;    ///< into Scene::lights (planar_lights in dimension 2)
   std::size_t blocker_index = 0;  ///< into Scene::blockers (planar_blockers in dimension 2)
+  std::size_t part = 0;           ///< of a polyline: the segment from vertex `part` to the next; otherwise 0
   std::string light;
-  std::string blocker;
+  std::string blocker;               ///< part k of a polyline is named `fence#k`
   std::optional<Position> position;  ///< nothing where no position is defined: a direction, or a shape that is not flat
   std::string reason;                ///< why the pair is not supported; empty if it is
 
@@ -28,10 +30,14 @@ struct PairSelection {
   std::string blocker;
 };
 
-/// The pairs of a scene that are asked for: light by light, blockers in file order.
+/// The pairs of a scene that are asked for: light by light, blockers in file order, a polyline segment by segment.
+/// A polyline is chosen as a whole.
 ///
 /// Throws: UsageError for a name that the scene does not have.
 std::vector<ScenePair> scene_pairs(const Scene& scene, const PairSelection& selection);
+
+/// The light and the segment of a pair of a scene of dimension 2.
+planar::Pair planar_pair(const Scene& scene, const ScenePair& pair);
 
 /// Number of pairs that are supported.
 std::size_t supported_count(const std::vector<ScenePair>& pairs);

@@ -104,7 +104,7 @@ ExitCode write_all(const ShadowOptions& options, const std::vector<OutputFormat>
 ExitCode shadow_command(Arguments arguments) {
   CLI::App app(
       "Computes the extremal planes and the exact occlusion, umbra and penumbra volumes of every pair of a\n"
-      "light and a blocker, and writes them for ParaView.",
+      "light and a blocker, and writes them for ParaView; in scenes of dimension 2 lines and regions.",
       "gnomon shadow");
   ShadowOptions options;
   add_options(app, options);

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "apps/gnomon/output_file.h"
+#include "apps/gnomon/shadow_extents.h"
 
 namespace gnomon {
 namespace {
@@ -34,18 +35,28 @@ Json planes_json(const ExtremalPlanes& planes) {
   return list;
 }
 
-Json volume_json(const VolumeFacts& facts, const VolumeMesh& mesh) {
-  return {{"empty", facts.empty},
-          {"bounded", facts.bounded},
-          {"components", facts.components},
-          {"volume_in_box", mesh.volume.nearest}};
+Json lines_json(const std::vector<planar::ExtremalLine>& lines) {
+  Json list = Json::array();
+  for (const planar::ExtremalLine& line : lines) {
+    list.push_back({{"contact", name(line.contact)},
+                    {"blocker_end", number(line.blocker_end)},
+                    {"light_end", number(line.light_end)}});
+  }
+  return list;
 }
 
-void add_shadow(Json& pair, const ShadowVolumes& volumes, const ShadowMeshes& meshes) {
-  pair["planes"] = planes_json(volumes.planes);
-  pair["occlusion"] = volume_json(volumes.occlusion_facts, meshes.occlusion);
-  pair["umbra"] = volume_json(volumes.umbra_facts, meshes.umbra);
-  pair["penumbra"] = volume_json(volumes.penumbra_facts, meshes.penumbra);
+void add_shadow(Json& json, const ShadowResult& result, std::size_t pair) {
+  if (result.scene->dimension == 2) {
+    json["lines"] = lines_json(result.planar_pairs[pair].regions.lines);
+  } else {
+    json["planes"] = planes_json(result.pairs[pair].volumes.planes);
+  }
+  for (const ShadowExtent& extent : shadow_extents(result, pair)) {
+    json[std::string(extent.name)] = {{"empty", extent.facts.empty},
+                                      {"bounded", extent.facts.bounded},
+                                      {"components", extent.facts.components},
+                                      {"volume_in_box", extent.size_in_box}};
+  }
 }
 
 }  // namespace
@@ -58,18 +69,19 @@ Json pair_json(const ScenePair& pair) {
   return json;
 }
 
-Json box_json(const Box3& box) {
+Json box_json(const Box3& box, int dimension) {
+  if (dimension == 2) return Json::array({box.min.x, box.min.y, box.max.x, box.max.y});
   return Json::array({box.min.x, box.min.y, box.min.z, box.max.x, box.max.y, box.max.z});
 }
 
 Json shadow_json(const ShadowResult& result, const std::vector<ScenePair>& pairs) {
   const Scene& scene = *result.scene;
   Json document = {{"schema", "gnomon/shadow/1"}, {"scene", scene.source}, {"length_unit", scene.length_unit}};
-  document["clip_box"] = box_json(result.clip_box);
+  document["clip_box"] = box_json(result.clip_box, scene.dimension);
   document["pairs"] = Json::array();
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     Json pair = pair_json(pairs[i]);
-    if (pairs[i].supported()) add_shadow(pair, result.pairs[i].volumes, result.pairs[i].meshes);
+    if (pairs[i].supported()) add_shadow(pair, result, i);
     document["pairs"].push_back(std::move(pair));
   }
   return document;

@@ -12,8 +12,8 @@ namespace gnomon {
 /// Light, blocker, position (null where none is defined), whether it is supported, and the reason if it is not.
 nlohmann::ordered_json pair_json(const ScenePair& pair);
 
-/// The sides of a box: xmin, ymin, zmin, xmax, ymax, zmax.
-nlohmann::ordered_json box_json(const Box3& box);
+/// The sides of a box, as --box takes them: xmin, ymin, zmin, xmax, ymax, zmax; in the plane without z.
+nlohmann::ordered_json box_json(const Box3& box, int dimension);
 
 /// The document of schema gnomon/shadow/1. Numbers are written so that they read back as the same doubles.
 ///

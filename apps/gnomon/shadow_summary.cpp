@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "apps/gnomon/shadow_extents.h"
 #include "apps/gnomon/text.h"
 
 namespace gnomon {
@@ -29,66 +30,91 @@ std::string planes_text(const ExtremalPlanes& planes) {
          std::to_string(planes.supporting_blocker.size()) + " supporting";
 }
 
-std::string block(const ScenePair& pair, const PairResult& result, const std::string& unit) {
-  const ShadowVolumes& volumes = result.volumes;
-  const ShadowMeshes& meshes = result.meshes;
-  const auto row = [&unit](std::string label, const VolumeFacts& facts, const VolumeMesh& mesh) {
-    return TextRow{std::move(label), extent_text(facts),
-                   number_text(mesh.volume.nearest) + ' ' + unit + "^3 in the box"};
-  };
-  std::string text = pair.light + " / " + pair.blocker + "\n  position   " + position_text(pair) + '\n';
-  if (!pair.supported()) return text + "  left out   " + pair.reason + '\n';
-  text += "  planes     " + planes_text(volumes.planes) + '\n';
-  return text + aligned({row("occlusion", volumes.occlusion_facts, meshes.occlusion),
-                         row("umbra", volumes.umbra_facts, meshes.umbra),
-                         row("penumbra", volumes.penumbra_facts, meshes.penumbra)},
-                        2);
+/// How many extremal planes or lines hold the pair apart, and how many lie on one side of both.
+struct ContactCounts {
+  std::size_t separating = 0;
+  std::size_t supporting = 0;
+};
+
+ContactCounts contact_counts(const ShadowResult& result, std::size_t pair) {
+  if (result.scene->dimension != 2) {
+    const ExtremalPlanes& planes = result.pairs[pair].volumes.planes;
+    return {planes.separating_blocker.size() + planes.separating_light.size(), planes.supporting_blocker.size()};
+  }
+  const auto& lines = result.planar_pairs[pair].regions.lines;
+  const auto separating = std::ranges::count(lines, Contact::separating, &planar::ExtremalLine::contact);
+  return {static_cast<std::size_t>(separating), lines.size() - static_cast<std::size_t>(separating)};
 }
 
-TextRow line(const ScenePair& pair, const PairResult& result) {
+TextRow extremal_row(const ShadowResult& result, std::size_t pair) {
+  if (result.scene->dimension != 2) return {"planes", planes_text(result.pairs[pair].volumes.planes)};
+  const ContactCounts counts = contact_counts(result, pair);
+  return {"lines",
+          std::to_string(counts.separating) + " separating, " + std::to_string(counts.supporting) + " supporting"};
+}
+
+/// The unit of volumes, or of areas in the plane.
+std::string size_unit(const Scene& scene) {
+  return scene.length_unit + (scene.dimension == 2 ? "^2" : "^3");
+}
+
+std::string block(const ScenePair& pair, const ShadowResult& result, std::size_t index) {
+  std::string text = pair.light + " / " + pair.blocker + "\n  position   " + position_text(pair) + '\n';
+  if (!pair.supported()) return text + "  left out   " + pair.reason + '\n';
+  const TextRow extremal = extremal_row(result, index);
+  text += "  " + extremal[0] + std::string(11 - extremal[0].size(), ' ') + extremal[1] + '\n';
+  std::vector<TextRow> rows;
+  for (const ShadowExtent& extent : shadow_extents(result, index)) {
+    rows.push_back({std::string(extent.name), extent_text(extent.facts),
+                    number_text(extent.size_in_box) + ' ' + size_unit(*result.scene) + " in the box"});
+  }
+  return text + aligned(rows, 2);
+}
+
+TextRow line(const ScenePair& pair, const ShadowResult& result, std::size_t index) {
   TextRow row{pair.light, pair.blocker, position_text(pair)};
   if (!pair.supported()) {
     row.emplace_back("left out");
     return row;
   }
-  const auto cell = [](const VolumeFacts& facts, const VolumeMesh& mesh) {
-    if (facts.empty) return std::string("empty");
-    return number_text(mesh.volume.nearest) + (facts.bounded ? " bounded" : " unbounded");
-  };
-  const ExtremalPlanes& planes = result.volumes.planes;
-  row.push_back(std::to_string(planes.separating_blocker.size() + planes.separating_light.size()) + " + " +
-                std::to_string(planes.supporting_blocker.size()));
-  row.push_back(cell(result.volumes.occlusion_facts, result.meshes.occlusion));
-  row.push_back(cell(result.volumes.umbra_facts, result.meshes.umbra));
-  row.push_back(cell(result.volumes.penumbra_facts, result.meshes.penumbra));
+  const ContactCounts counts = contact_counts(result, index);
+  row.push_back(std::to_string(counts.separating) + " + " + std::to_string(counts.supporting));
+  for (const ShadowExtent& extent : shadow_extents(result, index)) {
+    row.push_back(extent.facts.empty
+                      ? "empty"
+                      : number_text(extent.size_in_box) + (extent.facts.bounded ? " bounded" : " unbounded"));
+  }
   return row;
 }
 
 std::string table(const ShadowResult& result, const std::vector<ScenePair>& pairs) {
-  std::vector<TextRow> rows{{"light", "blocker", "position", "planes", "occlusion", "umbra", "penumbra"}};
-  for (std::size_t i = 0; i < pairs.size(); ++i) rows.push_back(line(pairs[i], result.pairs[i]));
-  return aligned(rows, 0) + "\nplanes: separating + supporting; volumes: in the box, in " + result.scene->length_unit +
-         "^3\n";
+  const bool planar = result.scene->dimension == 2;
+  const std::string extremal = planar ? "lines" : "planes";
+  std::vector<TextRow> rows{{"light", "blocker", "position", extremal, "occlusion", "umbra", "penumbra"}};
+  for (std::size_t i = 0; i < pairs.size(); ++i) rows.push_back(line(pairs[i], result, i));
+  return aligned(rows, 0) + '\n' + extremal + ": separating + supporting; " + (planar ? "areas" : "volumes") +
+         ": in the box, in " + size_unit(*result.scene) + '\n';
 }
 
 }  // namespace
 
 std::string shadow_summary(const ShadowResult& result, const std::vector<ScenePair>& pairs) {
-  std::string text = "scene      " + scene_text(*result.scene) + "\nclip box   " + box_text(result.clip_box) + "\n\n";
+  std::string text = "scene      " + scene_text(*result.scene) + "\nclip box   " +
+                     box_text(result.clip_box, result.scene->dimension) + "\n\n";
   if (pairs.size() > most_blocks) return text + table(result, pairs);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (i != 0) text += '\n';
-    text += block(pairs[i], result.pairs[i], result.scene->length_unit);
+    text += block(pairs[i], result, i);
   }
   return text;
 }
 
-std::string box_text(const Box3& box) {
+std::string box_text(const Box3& box, int dimension) {
   const auto range = [](char axis, double min, double max) {
     return std::string(1, axis) + ' ' + number_text(min) + " to " + number_text(max);
   };
-  return range('x', box.min.x, box.max.x) + ", " + range('y', box.min.y, box.max.y) + ", " +
-         range('z', box.min.z, box.max.z);
+  const std::string text = range('x', box.min.x, box.max.x) + ", " + range('y', box.min.y, box.max.y);
+  return dimension == 2 ? text : text + ", " + range('z', box.min.z, box.max.z);
 }
 
 std::string scene_text(const Scene& scene) {

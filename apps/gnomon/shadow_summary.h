@@ -13,8 +13,8 @@ namespace gnomon {
 /// Requires: `result` as computed_shadows returns it for the same pairs.
 std::string shadow_summary(const ShadowResult& result, const std::vector<ScenePair>& pairs);
 
-/// The box for people: "x 0 to 1, y 0 to 1, z 0 to 1".
-std::string box_text(const Box3& box);
+/// The box for people: "x 0 to 1, y 0 to 1, z 0 to 1"; in the plane without z.
+std::string box_text(const Box3& box, int dimension);
 
 /// The scene's name, how many elements it has, and its length unit.
 std::string scene_text(const Scene& scene);

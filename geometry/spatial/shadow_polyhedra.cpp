@@ -179,4 +179,16 @@ ConvexPolyhedron clipped_by_box(ExactSpace& space, ConvexPolyhedron polyhedron, 
   return polyhedron;
 }
 
+std::vector<ConvexPolyhedron> penumbra_cells(ExactSpace& space, ConvexPolyhedron rest,
+                                             const std::vector<PlaneId>& supporting) {
+  std::vector<ConvexPolyhedron> cells;
+  for (const PlaneId plane : supporting) {
+    if (rest.empty()) break;
+    ConvexPolyhedron cell = space.clipped(rest, space.add_reversed(plane));
+    if (!cell.empty()) cells.push_back(std::move(cell));
+    rest = space.clipped(rest, plane);
+  }
+  return cells;
+}
+
 }  // namespace gnomon

@@ -45,4 +45,9 @@ std::array<PlaneId, 6> add_box(ExactSpace& space, const Box3& box);
 /// The polyhedron cut by all six sides of a box.
 ConvexPolyhedron clipped_by_box(ExactSpace& space, ConvexPolyhedron polyhedron, const std::array<PlaneId, 6>& sides);
 
+/// The penumbra as convex cells: the occlusion split along the supporting planes. Each cell lies outside one of them
+/// and inside all before it; cells without interior are left out.
+std::vector<ConvexPolyhedron> penumbra_cells(ExactSpace& space, ConvexPolyhedron occlusion,
+                                             const std::vector<PlaneId>& supporting);
+
 }  // namespace gnomon

@@ -82,19 +82,6 @@ VolumeCells volume_cells(const ExactSpace& space, const std::vector<ConvexPolyhe
   return result;
 }
 
-/// The occlusion split along the umbra's planes: cell k lies outside supporting plane k and inside all before it.
-std::vector<ConvexPolyhedron> penumbra_cells(ExactSpace& space, ConvexPolyhedron rest,
-                                             const std::vector<PlaneId>& supporting) {
-  std::vector<ConvexPolyhedron> cells;
-  for (const PlaneId plane : supporting) {
-    if (rest.empty()) break;
-    ConvexPolyhedron cell = space.clipped(rest, space.add_reversed(plane));
-    if (!cell.empty()) cells.push_back(std::move(cell));
-    rest = space.clipped(rest, plane);
-  }
-  return cells;
-}
-
 /// The face that lies in a plane, or the box's own face where the plane is a side of it.
 Loop plane_in_box(ExactSpace& space, const ConvexPolyhedron& box, PlaneId plane) {
   for (const auto& face : space.clipped(box, plane).faces) {

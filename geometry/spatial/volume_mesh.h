@@ -57,6 +57,7 @@ struct ShadowMeshes {
 /// The volumes of a pair as closed meshes and convex cells, cut exactly by the box.
 ///
 /// Requires: pair_position(light, blocker) == Position::standard; box.min < box.max in every coordinate, all finite.
+/// Cost:     O(m (n + m)) exact decisions: about a millisecond for quadrilaterals, seconds for 500-gons.
 /// Throws:   PreconditionError.
 ShadowMeshes shadow_meshes(const Light& light, const ConvexPolygon& blocker, const Box3& box);
 

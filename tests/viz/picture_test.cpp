@@ -13,6 +13,7 @@
 #include <fstream>
 
 #include "geometry/errors.h"
+#include "tests/viz/planar_sample.h"
 #include "tests/viz/sample_result.h"
 #include "tests/viz/temporary_folder.h"
 #include "viz/palette.h"
@@ -143,6 +144,29 @@ TEST(Picture, OfPointLinearAndDirectionalLightsIsDrawn) {
   sample.result().scene = &scene;
   render_scene(sample.result(), folder / "picture.png", small);
   EXPECT_GT(Pixels(folder / "picture.png").close_to(viz::palette.light, 0.1), 200);
+}
+
+TEST(Picture, OfThePlaneShowsRegionsLinesLightAndBlocker) {
+  const TemporaryFolder folder;
+  render_scene(PlanarSample().result(), folder / "picture.png", small);
+  const Pixels pixels(folder / "picture.png");
+  EXPECT_TRUE(pixels.border_is_white());
+  EXPECT_GT(pixels.close_to(viz::palette.lit, 0.01), 10000);
+  EXPECT_GT(pixels.close_to(viz::palette.umbra, 0.01), 3000);
+  EXPECT_GT(pixels.close_to(viz::palette.penumbra, 0.01), 3000);
+  EXPECT_GT(pixels.close_to(viz::palette.light, 0.01), 200);
+  EXPECT_GT(pixels.close_to(viz::palette.blocker, 0.01), 200);
+  EXPECT_GT(pixels.close_to(viz::palette.separating, 0.1), 50);
+  EXPECT_GT(pixels.close_to(viz::palette.supporting, 0.1), 50);
+}
+
+TEST(Picture, OfThePlaneIsTheSameFromAFolder) {
+  const TemporaryFolder folder;
+  const PlanarSample sample;
+  render_scene(sample.result(), folder / "scene.png", small);
+  write_shadow(sample.result(), folder / "result");
+  render_result(folder / "result", folder / "folder.png", small);
+  EXPECT_TRUE(Pixels(folder / "scene.png") == Pixels(folder / "folder.png"));
 }
 
 TEST(Picture, SaysWhatCannotBeReadOrWritten) {

@@ -80,6 +80,7 @@ TEST_F(CheckCommand, RecognisesPlanarScenes) {
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_THAT(run.out,
               AllOf(HasSubstr("dimension 2"), HasSubstr("tube"), HasSubstr("polyline"), HasSubstr("3 vertices")));
+  EXPECT_THAT(run.out, AllOf(HasSubstr("2 of 2 supported"), HasSubstr("fence#0"), HasSubstr("fence#1")));
 }
 
 TEST_F(CheckCommand, PrintsNothingForAGoodSceneWhenQuiet) {

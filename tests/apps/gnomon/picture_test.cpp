@@ -48,6 +48,14 @@ TEST_F(RenderedPicture, IsMadeOfAFolderOfResults) {
   EXPECT_EQ(size_of("shadows.png"), "1280x960");
 }
 
+TEST_F(RenderedPicture, OfThePlaneIsTheSameFromSceneAndFolder) {
+  EXPECT_EQ(gnomon("render examples/figure_4_17.scene.json --out scene.png --size 320x240").code, 0);
+  EXPECT_EQ(gnomon("shadow examples/figure_4_17.scene.json --out shadow").code, 0);
+  EXPECT_EQ(gnomon("render shadow --out folder.png --size 320x240").code, 0);
+  EXPECT_EQ(size_of("scene.png"), "320x240");
+  EXPECT_EQ(read("scene.png"), read("folder.png"));
+}
+
 TEST_F(RenderedPicture, WarnsOfPairsThatAreNotInIt) {
   write("mixed.scene.json", mixed_scene);
   const Outcome run = gnomon("render mixed.scene.json --out mixed.png");

@@ -9,6 +9,7 @@ namespace {
 using testing::AllOf;
 using testing::Contains;
 using testing::Each;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -206,14 +207,44 @@ TEST_F(ShadowCommand, WritesJsonToDevicesAndThroughLinks) {
   EXPECT_EQ(read_json("target.json")["schema"], "gnomon/shadow/1");
 }
 
-TEST_F(ShadowCommand, AnswersPlanarScenesWithNotSupported) {
-  write("plane.scene.json", R"({"gnomon": 1, "dimension": 2,
-    "lights": [{"name": "tube", "shape": "segment", "vertices": [[-1, 2], [1, 2]]}],
-    "blockers": [{"name": "stick", "shape": "segment", "vertices": [[-1, 1], [1, 1]]}]})");
-  const Outcome run = gnomon("shadow plane.scene.json --json -");
-  EXPECT_EQ(run.code, 4);
-  EXPECT_THAT(run.err, HasSubstr("dimension 2"));
-  EXPECT_EQ(nlohmann::json::parse(run.out)["pairs"].at(0)["supported"], false);
+TEST_F(ShadowCommand, WritesPlanarScenesForParaView) {
+  const Outcome run = gnomon("shadow examples/figure_4_17.scene.json --out out");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out,
+              AllOf(HasSubstr("2 separating, 2 supporting"), HasSubstr("m^2 in the box"), Not(HasSubstr(" z "))));
+  EXPECT_THAT(names_in("out"), ElementsAre("manifest.json", "shadow", "shadow.vtm", "view.py"));
+  EXPECT_EQ(read_json("out/manifest.json")["dimension"], 2);
+}
+
+TEST_F(ShadowCommand, WritesPlanarScenesInEveryFormat) {
+  const Outcome run = gnomon("shadow examples/figure_4_17.scene.json --out out --format vtm,vtpc,vtp,obj,stl,gltf");
+  EXPECT_EQ(run.code, 0) << run.err;
+  for (const std::string ending : {"vtm", "vtpc", "vtp", "obj", "gltf"}) EXPECT_TRUE(exists("out/shadow." + ending));
+  EXPECT_THAT(read("out/shadow/volumes/tube/wall/umbra.stl"), HasSubstr("facet normal 0 0 1"));
+}
+
+TEST_F(ShadowCommand, SupportsEveryPositionInThePlane) {
+  write("crossed.scene.json", R"({"gnomon": 1, "dimension": 2,
+    "lights": [{"name": "tube", "shape": "segment", "vertices": [[-1, 0], [1, 0]]}],
+    "blockers": [
+      {"name": "crossing", "shape": "segment", "vertices": [[0, -1], [0, 1]]},
+      {"name": "along", "shape": "segment", "vertices": [[2, 0], [3, 0]]},
+      {"name": "below", "shape": "segment", "vertices": [[0, -2], [0, -1]]}]})");
+  const Outcome run = gnomon("shadow crossed.scene.json --json - --quiet");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.err, IsEmpty());
+  const auto pairs = nlohmann::json::parse(run.out)["pairs"];
+  ASSERT_EQ(pairs.size(), 3U);
+  EXPECT_EQ(pairs[0]["position"], "both_cross");
+  EXPECT_EQ(pairs[1]["position"], "coplanar");
+  EXPECT_EQ(pairs[2]["position"], "light_crosses_blocker_plane");
+  for (const auto& pair : pairs) EXPECT_EQ(pair["supported"], true);
+}
+
+TEST_F(ShadowCommand, RefusesABoxOfSpaceInThePlane) {
+  const Outcome run = gnomon("shadow examples/figure_4_17.scene.json --json - --box 0,0,0,1,1,1");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("xmin,ymin,xmax,ymax"));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "geometry/spatial/volume_mesh.h"
 
+#include <CGAL/determinant.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -201,6 +202,51 @@ void check_volumes(Domain domain) {
 TEST(VolumeMeshProperty, UmbraAndPenumbraAddUpToTheOcclusionExactly) {
   EXPECT_TRUE(rc::check("on random pairs", [] { check_volumes(Domain::random); }));
   EXPECT_TRUE(rc::check("on nearly degenerate pairs", [] { check_volumes(Domain::near_degenerate); }));
+}
+
+Rational six_volumes(const ExactSpace& space, const ConvexPolyhedron& polyhedron) {
+  Rational sum = 0;
+  for (const auto& facet : surface(polyhedron).facets) {
+    for (const auto& [a, b, c] : facet.triangles) {
+      const auto p = coordinates(space, a);
+      const auto q = coordinates(space, b);
+      const auto r = coordinates(space, c);
+      sum += CGAL::determinant<Rational>(p[0], p[1], p[2], q[0], q[1], q[2], r[0], r[1], r[2]);
+    }
+  }
+  return sum;
+}
+
+bool is_convex(const ExactSpace& space, const ConvexPolyhedron& polyhedron) {
+  for (const auto& face : polyhedron.faces) {
+    for (const auto& other : polyhedron.faces) {
+      for (const VertexId v : other.loop) {
+        if (plane_value(space, face.plane, v) > 0) return false;
+      }
+    }
+  }
+  return true;
+}
+
+void check_cells(Domain domain) {
+  const MeshCase drawn = draw_case(domain);
+  const CGAL::Protect_FPU_rounding<true> protection;
+  ExactVolumes volumes(drawn.pair, drawn.box);
+  ExactSpace& space = volumes.polyhedra.space;
+  Rational cells = 0;
+  for (const auto& cell : penumbra_cells(space, volumes.occlusion, volumes.polyhedra.supporting_blocker)) {
+    RC_ASSERT(is_closed(surface(cell)));
+    RC_ASSERT(is_convex(space, cell));
+    const Rational volume = six_volumes(space, cell);
+    RC_ASSERT(volume > 0);
+    cells += volume;
+  }
+  RC_ASSERT(cells == six_volumes(space, volumes.occlusion) - six_volumes(space, volumes.umbra));
+}
+
+TEST(VolumeMeshProperty, CellsAreConvexAndFillThePenumbraExactly) {
+  EXPECT_TRUE(rc::check("on random pairs", [] { check_cells(Domain::random); }));
+  EXPECT_TRUE(rc::check("on nearly degenerate pairs", [] { check_cells(Domain::near_degenerate); }));
 }
 
 /// Six times the volume of a cell from its rounded vertices.
