@@ -3,12 +3,11 @@
 #include <array>
 #include <vector>
 
-#include "geometry/spatial/exact_polyhedron.h"
+#include "geometry/spatial/convex_polyhedron.h"
 
 namespace gnomon {
 
-using Loop = std::vector<VertexId>;
-using Triangles = std::vector<std::array<VertexId, 3>>;
+using Triangles = boost::container::small_vector<std::array<VertexId, 3>, 4>;
 
 /// Triangles of a convex polygon whose boundary may have straight vertices.
 ///

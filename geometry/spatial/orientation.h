@@ -13,7 +13,13 @@ namespace gnomon {
 /// Exactness: exact for all finite doubles.
 int exact_orientation(const Point3& p, const Point3& q, const Point3& r, const Point3& s);
 
-/// The same sign for points of one fixed box, filtered by an error bound that is computed once.
+/// Sign of the determinant |q - p, r - p, v|: the side on which a point infinitely far away in the direction v lies of
+/// the plane through p, q, r, which run counterclockwise seen from its positive side.
+///
+/// Exactness: exact for all finite doubles.
+int exact_direction_side(const Point3& p, const Point3& q, const Point3& r, const Point3& v);
+
+/// The sign of exact_orientation for points of one fixed box, filtered by an error bound that is computed once.
 ///
 /// Bound. Let D = X Y Z be the product of the box's sides. Every difference of coordinates is at most a side, so the
 /// sum of the absolute values of the determinant's six products is at most 6 D. Evaluated in doubles (unit roundoff u,

@@ -2,7 +2,8 @@
 
 #include <array>
 
-#include "geometry/errors.h"
+#include "geometry/spatial/hull_pair.h"
+#include "geometry/spatial/light_contact.h"
 #include "geometry/spatial/orientation.h"
 
 namespace gnomon {
@@ -40,25 +41,12 @@ Sides light_sides(const ConvexPolygon& blocker, const Light& light) {
   return sides(blocker, std::get<AreaLight>(light).polygon.points());
 }
 
-void require_flat(const Light& light, const ConvexPolygon& blocker) {
-  if (std::holds_alternative<DirectionalLight>(light)) throw PreconditionError("a directional light has no position");
+bool is_flat(const Light& light) {
   const auto* area = std::get_if<AreaLight>(&light);
-  if (!blocker.is_flat() || (area && !area->polygon.is_flat())) {
-    throw PreconditionError("the position of a pair is defined for flat polygons");
-  }
+  return !area || area->polygon.is_flat();
 }
 
-}  // namespace
-
-std::string_view name(Position position) {
-  constexpr std::string_view names[] = {
-      "standard",    "light_crosses_blocker_plane", "blocker_crosses_light_plane", "both_cross", "touching", "coplanar",
-      "behind_light"};
-  return names[static_cast<int>(position)];
-}
-
-Position pair_position(const Light& light, const ConvexPolygon& blocker) {
-  require_flat(light, blocker);
+Position flat_position(const Light& light, const ConvexPolygon& blocker) {
   const Sides of_light = light_sides(blocker, light);
   if (of_light.all_zero()) return Position::coplanar;
   Sides of_blocker;
@@ -70,6 +58,80 @@ Position pair_position(const Light& light, const ConvexPolygon& blocker) {
   if (of_light.cross()) return Position::light_crosses_blocker_plane;
   if (of_blocker.cross()) return Position::blocker_crosses_light_plane;
   return of_light.zero || of_blocker.zero ? Position::touching : Position::standard;
+}
+
+Position directional_position(const HullPair& pair) {
+  return pair.blocker.flat && pair.facet_side(0, 0) == 0 ? Position::coplanar : Position::standard;
+}
+
+/// On which sides of the light's plane the blocker lies; in front of a light that is not flat and not behind all of it.
+Sides blocker_sides(const HullPair& pair) {
+  Sides result;
+  for (const Point3& corner : pair.blocker.corners) {
+    Sides of_corner;
+    for (std::uint32_t f = 0; f < (pair.light.flat ? 1 : pair.light.facets.size()); ++f) {
+      of_corner.add(pair.orientation(pair.light.facet_point(f, 0), pair.light.facet_point(f, 1),
+                                     pair.light.facet_point(f, 2), corner));
+    }
+    result.add(of_corner.positive ? 1 : of_corner.zero ? 0 : -1);
+  }
+  return result;
+}
+
+Position hull_position(const HullPair& pair, bool one_sided) {
+  const bool has_area = pair.light.corners.size() > 2;
+  const Sides of_blocker = has_area ? blocker_sides(pair) : Sides{};
+  if (has_area && pair.light.flat && one_sided && !of_blocker.positive) return Position::behind_light;
+  Sides of_light;
+  if (pair.blocker.flat) {
+    for (std::uint32_t j = 0; j < pair.light.corners.size(); ++j) of_light.add(pair.facet_side(0, j));
+    if (of_light.all_zero()) return Position::coplanar;
+  } else {
+    const LightContact contact = light_contact(pair);
+    if (contact.meets_interior) of_light = {true, true, true};
+    of_light.zero = contact.meets;
+  }
+  if (of_light.cross() && of_blocker.cross()) return Position::both_cross;
+  if (of_light.cross()) return Position::light_crosses_blocker_plane;
+  if (of_blocker.cross()) return Position::blocker_crosses_light_plane;
+  return of_light.zero || of_blocker.zero ? Position::touching : Position::standard;
+}
+
+}  // namespace
+
+std::string_view name(Position position) {
+  constexpr std::string_view names[] = {
+      "standard",    "light_crosses_blocker_plane", "blocker_crosses_light_plane", "both_cross", "touching", "coplanar",
+      "behind_light"};
+  return names[static_cast<int>(position)];
+}
+
+Position pair_position(const Light& light, const ConvexBlocker& blocker) {
+  if (std::holds_alternative<DirectionalLight>(light))
+    return directional_position(HullPair(hull(light), hull(blocker)));
+  const auto* polygon = std::get_if<ConvexPolygon>(&blocker);
+  if (polygon && polygon->is_flat() && is_flat(light)) return flat_position(light, *polygon);
+  const auto* area = std::get_if<AreaLight>(&light);
+  return hull_position(HullPair(hull(light), hull(blocker)), area && !area->two_sided);
+}
+
+bool is_standard_polygon_pair(const Light& light, const ConvexBlocker& blocker) {
+  if (std::holds_alternative<DirectionalLight>(light) || !is_flat(light)) return false;
+  const auto* polygon = std::get_if<ConvexPolygon>(&blocker);
+  return polygon && polygon->is_flat() && flat_position(light, *polygon) == Position::standard;
+}
+
+bool is_supported(const Light& light, const ConvexBlocker& blocker) {
+  const auto* area = std::get_if<AreaLight>(&light);
+  if (!area || area->two_sided || area->polygon.is_flat()) return true;
+  // In front of every triangle of the fan from the first vertex, by which such a light is lit and unlit.
+  const std::span<const Point3> points = area->polygon.points();
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    for (const Point3& corner : hull(blocker).corners) {
+      if (exact_orientation(points[0], points[i], points[i + 1], corner) <= 0) return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace gnomon

@@ -2,11 +2,12 @@
 
 #include <string_view>
 
+#include "geometry/spatial/convex_blocker.h"
 #include "geometry/spatial/light.h"
 
 namespace gnomon {
 
-/// How a light and a flat blocker stand to each other. The first that holds, in this order, is the pair's position:
+/// How a light and a blocker stand to each other. The first that holds, in this order, is the pair's position:
 /// coplanar, behind_light, both_cross, light_crosses_blocker_plane, blocker_crosses_light_plane, touching, standard.
 enum class Position {
   standard,  ///< the light strictly on one side of the blocker's plane, and the blocker strictly in front of an area
@@ -24,11 +25,20 @@ std::string_view name(Position position);
 
 /// The position of a pair.
 ///
-/// Requires:   light and blocker are flat; the light is not directional.
-/// Degenerate: a two-sided area light has two fronts.
-/// Exactness:  signs of orientation determinants of input points.
-/// Cost:       O(n + m).
-/// Throws:     PreconditionError.
-Position pair_position(const Light& light, const ConvexPolygon& blocker);
+/// Definition: for a solid (or a light whose vertices were rounded off their plane) the hulls take the place of the
+///             polygons: the light crosses the blocker if it has a point strictly inside; it touches a solid if it has
+///             none there, but one on its boundary.
+/// Degenerate: a two-sided area light has two fronts. A directional light is in standard position, or coplanar with a
+///             flat blocker whose plane its rays run along.
+/// Exactness:  signs of orientation determinants of input points; exact arithmetic where a light meets a solid.
+/// Cost:       O(n + m) for flat polygons.
+Position pair_position(const Light& light, const ConvexBlocker& blocker);
+
+/// True if light and blocker are flat (or the light has no area), finite and in standard position.
+bool is_standard_polygon_pair(const Light& light, const ConvexBlocker& blocker);
+
+/// False for the one kind of pair whose shadow is not defined by hulls alone: a one-sided light whose vertices were
+/// rounded off their plane, with a blocker that does not lie strictly in front of each of its facets' triangles.
+bool is_supported(const Light& light, const ConvexBlocker& blocker);
 
 }  // namespace gnomon

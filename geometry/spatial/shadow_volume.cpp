@@ -1,66 +1,83 @@
 #include "geometry/spatial/shadow_volume.h"
 
-#include <algorithm>
-
-#include "geometry/spatial/pair.h"
-#include "geometry/spatial/shadow_polyhedra.h"
+#include "geometry/errors.h"
+#include "geometry/spatial/position.h"
+#include "geometry/spatial/standard_occlusion.h"
+#include "geometry/spatial/volume_extent.h"
 
 namespace gnomon {
 namespace {
 
-/// Two components exactly when the light's line misses the blocker, both tangent planes through it hold a blocker edge,
-/// and the umbra reaches infinity within both: then nothing joins the penumbra's halves (theory S14).
-/// `line_meets_blocker` is light_line_meets_blocker(pair), which needs the common rounding mode.
-std::uint32_t penumbra_components(const PairHalfSpaces& half_spaces, const ShadowPolyhedra& polyhedra,
-                                  std::uint32_t light_corners, bool line_meets_blocker) {
-  if (light_corners == 1) return 0;
-  if (light_corners > 2 || line_meets_blocker) return 1;
-  int closed_off = 0;
-  for (const auto& face : polyhedra.umbra.faces) {
-    for (std::size_t k = 0; k < half_spaces.supporting.size(); ++k) {
-      if (half_spaces.supporting[k].holds_light && face.plane == polyhedra.supporting_blocker[k]) {
-        closed_off += reaches_infinity(polyhedra.space, face);
-      }
+int side_of(const HalfSpace& half_space, const Point3& point) {
+  const auto& [a, b, c] = half_space.plane;
+  return half_space.third_is_direction ? -exact_direction_side(a, b, point, c) : exact_orientation(a, b, c, point);
+}
+
+/// The planes of half-spaces that go through an edge of one and a vertex of the other.
+ExtremalPlanes named_planes(const PairHalfSpaces& half_spaces) {
+  ExtremalPlanes planes;
+  const auto index = [](std::int32_t i) { return static_cast<std::uint32_t>(i); };
+  const auto add = [&](const HalfSpace& half_space) {
+    const auto& [kind, edge, vertex] = half_space.name;
+    if (kind == FacetKind::separating_blocker_plane) {
+      planes.separating_blocker.push_back({BlockerEdge{index(edge)}, LightVertex{index(vertex)}});
+    } else if (kind == FacetKind::supporting_blocker_plane) {
+      planes.supporting_blocker.push_back({BlockerEdge{index(edge)}, LightVertex{index(vertex)}});
+    } else if (kind == FacetKind::separating_light_plane) {
+      planes.separating_light.push_back({LightEdge{index(edge)}, BlockerVertex{index(vertex)}});
     }
+  };
+  for (const HalfSpace& half_space : half_spaces.occlusion) add(half_space);
+  for (const HalfSpace& half_space : half_spaces.umbra) add(half_space);
+  return planes;
+}
+
+void require_supported(const Light& light, const ConvexBlocker& blocker) {
+  if (!is_supported(light, blocker)) {
+    throw PreconditionError("a one-sided light that is not exactly flat needs the blocker strictly in front of it");
   }
-  return closed_off == 2 ? 2 : 1;
 }
 
 }  // namespace
 
 Side ConvexVolume::oriented_side(const Point3& point) const {
+  if (empty) return Side::outside;
   Side side = Side::inside;
   for (const HalfSpace& half_space : half_spaces) {
-    const auto& [a, b, c] = half_space.plane;
-    const int sign = exact_orientation(a, b, c, point);
+    const int sign = side_of(half_space, point);
     if (sign > 0) return Side::outside;
     if (sign == 0) side = Side::boundary;
   }
   return side;
 }
 
-ShadowVolumes shadow_volumes(const Light& light, const ConvexPolygon& blocker) {
-  const StandardPair pair = standard_pair(light, blocker);
-  const PairHalfSpaces half_spaces(pair);
-  const bool line_meets_blocker = light_line_meets_blocker(pair);
+ShadowVolumes shadow_volumes(const Light& light, const ConvexBlocker& blocker) {
+  require_supported(light, blocker);
+  const HullPair pair(hull(light), hull(blocker));
+  PairHalfSpaces half_spaces;
   ShadowVolumes volumes;
-  volumes.planes = extremal_planes(pair);
-  volumes.occlusion.half_spaces.push_back(half_spaces.blocker_face);
-  volumes.umbra.half_spaces.push_back(half_spaces.blocker_face);
-  const auto append = [](std::vector<HalfSpace>& to, const std::vector<HalfSpace>& from) {
-    to.insert(to.end(), from.begin(), from.end());
-  };
-  append(volumes.occlusion.half_spaces, half_spaces.separating_blocker);
-  append(volumes.occlusion.half_spaces, half_spaces.separating_light);
-  append(volumes.umbra.half_spaces, half_spaces.supporting_blocker);
-
-  const CGAL::Protect_FPU_rounding<true> protection;
-  const ShadowPolyhedra polyhedra(pair, half_spaces);
-  const std::uint32_t components = penumbra_components(half_spaces, polyhedra, pair.light.size(), line_meets_blocker);
-  volumes.occlusion_facts = {false, false, 1};
-  volumes.umbra_facts = {false, !reaches_infinity(polyhedra.space, polyhedra.umbra), 1};
-  volumes.penumbra_facts = {components == 0, components == 0, components};
+  if (is_standard_polygon_pair(light, blocker)) {
+    const StandardPair standard = standard_pair(light, std::get<ConvexPolygon>(blocker));
+    half_spaces = standard_half_spaces(standard, StandardContacts(standard));
+    volumes.planes = extremal_planes(standard);
+  } else {
+    half_spaces = pair_half_spaces(pair, light);
+    volumes.planes = named_planes(half_spaces);
+  }
+  const VolumeExtents extents = volume_extents(pair, half_spaces);
+  volumes.occlusion_facts = extents.occlusion;
+  volumes.umbra_facts = extents.umbra;
+  volumes.penumbra_facts = extents.penumbra;
+  volumes.umbra_pockets = extents.umbra_pockets;
+  volumes.occlusion = {std::move(half_spaces.occlusion), half_spaces.occlusion_empty};
+  volumes.umbra = {std::move(half_spaces.umbra), half_spaces.umbra_empty};
   return volumes;
+}
+
+ConvexVolume convex_hull_shadow_volume(const Light& light, const ConvexBlocker& blocker) {
+  require_supported(light, blocker);
+  PairHalfSpaces half_spaces = pair_half_spaces(HullPair(hull(light), hull(blocker)), light);
+  return {std::move(half_spaces.occlusion), half_spaces.occlusion_empty};
 }
 
 }  // namespace gnomon

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/spatial/convex_blocker.h"
 #include "geometry/spatial/extremal_planes.h"
 
 namespace gnomon {
@@ -36,6 +37,7 @@ struct FacetName {
 struct HalfSpace {
   FacetName name;
   std::array<Point3, 3> plane;
+  bool third_is_direction = false;  ///< the plane goes through two points and along a vector: a directional light's
 };
 
 /// Where a point lies with respect to a volume.
@@ -44,6 +46,7 @@ enum class Side { inside, boundary, outside };
 /// A convex volume as an intersection of named closed half-spaces; empty list: all of space.
 struct ConvexVolume {
   std::vector<HalfSpace> half_spaces;
+  bool empty = false;  ///< there is no such volume (with an interior), and the list says nothing
 
   /// Exactness: signs of orientation determinants of input points.
   /// Cost:      O(number of half-spaces).
@@ -57,10 +60,11 @@ struct VolumeFacts {
   std::uint32_t components = 0;
 };
 
-/// The shadow volumes of one light and one flat blocker in standard position, as names and half-spaces.
+/// The shadow volumes of one light and one convex blocker, as names and half-spaces.
 ///
-/// The volumes are closures. occlusion = points that lose some of the light, umbra = points that lose all of it,
-/// penumbra = the closure of the difference (never convex, so it has no half-space form; see spatial/volume_mesh.h).
+/// The volumes are closures of interiors. occlusion = points that lose some of the light, umbra = points that lose all
+/// of it, penumbra = the rest of the occlusion (never convex, so it has no half-space form; see
+/// spatial/volume_mesh.h). The umbra of a solid contains the solid; what lies outside of it may fall into pockets.
 struct ShadowVolumes {
   ExtremalPlanes planes;
   ConvexVolume occlusion;
@@ -68,12 +72,25 @@ struct ShadowVolumes {
   VolumeFacts occlusion_facts;
   VolumeFacts umbra_facts;
   VolumeFacts penumbra_facts;
+  std::uint32_t umbra_pockets = 0;  ///< connected pieces of the umbra outside a solid; 0 for flat blockers
 };
 
-/// Requires:  pair_position(light, blocker) == Position::standard.
-/// Exactness: all decisions are exact.
-/// Throws:    PreconditionError.
-/// After:     [CF91] Theorems 1 to 3; [P93] §4.2.3.1.
-ShadowVolumes shadow_volumes(const Light& light, const ConvexPolygon& blocker);
+/// The shadow volumes of a pair, in any position.
+///
+/// Requires:   not a one-sided light whose vertices were rounded off their plane before a blocker that is not strictly
+///             in front of it, see is_supported().
+/// Degenerate: a flat blocker coplanar with the light, and one behind a one-sided light, throw no shadow. A light that
+///             reaches into a solid darkens all of space to some degree.
+/// Exactness:  all decisions are exact.
+/// Throws:     PreconditionError.
+/// After:      [CF91] Theorems 1 to 3; [P93] §4.2.3.1, §5.2.3.
+ShadowVolumes shadow_volumes(const Light& light, const ConvexBlocker& blocker);
+
+/// The occlusion volume of any convex light and any convex blocker: the convex hull of the shadows of the light's
+/// vertices, cut by the plane of a one-sided light.
+///
+/// Requires, Degenerate, Exactness, Throws: as shadow_volumes.
+/// After:      [P93] §5.2.3.
+ConvexVolume convex_hull_shadow_volume(const Light& light, const ConvexBlocker& blocker);
 
 }  // namespace gnomon

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/spatial/penumbra_surface.h"
+#include "geometry/spatial/exact_surface.h"
 
 namespace gnomon {
 

@@ -2,71 +2,85 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <optional>
 #include <unordered_map>
+
+#include <CGAL/determinant.h>
 
 #include "geometry/errors.h"
 #include "geometry/rounding.h"
-#include "geometry/spatial/difference_triangulation.h"
-#include "geometry/spatial/penumbra_surface.h"
+#include "geometry/spatial/clipping.h"
+#include "geometry/spatial/difference_surface.h"
+#include "geometry/spatial/position.h"
+#include "geometry/spatial/shadow_polyhedra.h"
+#include "geometry/spatial/standard_occlusion.h"
+#include "geometry/spatial/vertex_rounding.h"
 
 namespace gnomon {
 namespace {
 
-std::array<Rational, 3> cartesian(const ExactSpace& space, VertexId vertex) {
-  const Quadruple<Rational>& v = space.exact_vertex(vertex);
-  return {Rational(v[0] / v[3]), Rational(v[1] / v[3]), Rational(v[2] / v[3])};
-}
-
-/// Numbers the vertices that an output uses, in order of first use, and rounds each once.
+/// Numbers the vertices that an output uses, in order of first use.
 class OutputVertices {
  public:
-  explicit OutputVertices(const ExactSpace& space) : space_(space) {}
+  explicit OutputVertices(const ExactSpace& space) : indices_(space.vertex_count(), none) {}
 
   std::uint32_t index(VertexId vertex) {
-    const auto [entry, is_new] = indices_.try_emplace(vertex, static_cast<std::uint32_t>(exact_.size()));
-    if (is_new) exact_.push_back(cartesian(space_, vertex));
-    return entry->second;
+    if (indices_[vertex] == none) {
+      indices_[vertex] = static_cast<std::uint32_t>(used_.size());
+      used_.push_back(vertex);
+    }
+    return indices_[vertex];
   }
-  const std::array<Rational, 3>& exact(std::uint32_t index) const { return exact_[index]; }
-  std::vector<Point3> rounded() const {
+  std::vector<Point3> rounded(VertexRounding& rounding) const {
     std::vector<Point3> points;
-    for (const auto& p : exact_) points.push_back({nearest_double(p[0]), nearest_double(p[1]), nearest_double(p[2])});
+    points.reserve(used_.size());
+    for (const VertexId vertex : used_) points.push_back(rounding(vertex));
     return points;
   }
 
  private:
-  const ExactSpace& space_;
-  std::unordered_map<VertexId, std::uint32_t> indices_;
-  std::vector<std::array<Rational, 3>> exact_;
+  static constexpr std::uint32_t none = ~0u;
+  std::vector<std::uint32_t> indices_;
+  std::vector<VertexId> used_;
 };
+
+VolumeMesh volume_mesh(const ExactSpace& space, const ExactSurface& surface, VertexRounding& rounding) {
+  VolumeMesh mesh;
+  OutputVertices vertices(space);
+  mesh.facets.reserve(surface.facets.size());
+  for (const ExactSurface::Facet& facet : surface.facets) {
+    const auto facet_index = static_cast<std::uint32_t>(mesh.facets.size());
+    mesh.facets.push_back(space.name(facet.plane));
+    mesh.truncated = mesh.truncated || mesh.facets.back().kind == FacetKind::clip_box;
+    for (const auto& [a, b, c] : facet.triangles) {
+      mesh.triangles.push_back({{vertices.index(a), vertices.index(b), vertices.index(c)}, facet_index});
+    }
+  }
+  mesh.vertices = vertices.rounded(rounding);
+  return mesh;
+}
 
 Rational determinant(const std::array<Rational, 3>& a, const std::array<Rational, 3>& b,
                      const std::array<Rational, 3>& c) {
   return CGAL::determinant<Rational>(a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2]);
 }
 
-VolumeMesh volume_mesh(const ExactSpace& space, const ExactSurface& surface) {
-  VolumeMesh mesh;
-  OutputVertices vertices(space);
+ExactNumber exact_volume(const ExactSpace& space, const ExactSurface& surface) {
+  std::unordered_map<VertexId, std::array<Rational, 3>> points;
+  const auto point = [&](VertexId v) -> const std::array<Rational, 3>& {
+    const auto [entry, is_new] = points.try_emplace(v);
+    if (is_new) entry->second = exact_coordinates(space, v);
+    return entry->second;
+  };
   Rational six_volumes = 0;
   for (const ExactSurface::Facet& facet : surface.facets) {
-    const auto facet_index = static_cast<std::uint32_t>(mesh.facets.size());
-    mesh.facets.push_back(space.name(facet.plane));
-    mesh.truncated = mesh.truncated || mesh.facets.back().kind == FacetKind::clip_box;
-    for (const auto& [a, b, c] : facet.triangles) {
-      const MeshTriangle triangle{{vertices.index(a), vertices.index(b), vertices.index(c)}, facet_index};
-      mesh.triangles.push_back(triangle);
-      const auto& [i, j, k] = triangle.vertices;
-      six_volumes += determinant(vertices.exact(i), vertices.exact(j), vertices.exact(k));
-    }
+    for (const auto& [a, b, c] : facet.triangles) six_volumes += determinant(point(a), point(b), point(c));
   }
-  mesh.vertices = vertices.rounded();
-  mesh.volume = exact_number(six_volumes / 6);
-  return mesh;
+  return exact_number(six_volumes / 6);
 }
 
-VolumeCells volume_cells(const ExactSpace& space, const std::vector<ConvexPolyhedron>& polyhedra) {
+VolumeCells volume_cells(const ExactSpace& space, const std::vector<ConvexPolyhedron>& polyhedra,
+                         VertexRounding& rounding) {
   VolumeCells result;
   OutputVertices vertices(space);
   for (const ConvexPolyhedron& polyhedron : polyhedra) {
@@ -78,13 +92,13 @@ VolumeCells volume_cells(const ExactSpace& space, const std::vector<ConvexPolyhe
     }
     result.cells.push_back(std::move(cell));
   }
-  result.vertices = vertices.rounded();
+  result.vertices = vertices.rounded(rounding);
   return result;
 }
 
 /// The face that lies in a plane, or the box's own face where the plane is a side of it.
 Loop plane_in_box(ExactSpace& space, const ConvexPolyhedron& box, PlaneId plane) {
-  for (const auto& face : space.clipped(box, plane).faces) {
+  for (const auto& face : clipped(space, box, plane).faces) {
     if (face.plane == plane) return face.loop;
   }
   for (const auto& face : box.faces) {
@@ -97,15 +111,22 @@ Loop plane_in_box(ExactSpace& space, const ConvexPolyhedron& box, PlaneId plane)
   return {};
 }
 
-void append_planes(std::vector<PlanePolygon>& polygons, ExactSpace& space, const ConvexPolyhedron& box,
-                   const std::vector<HalfSpace>& half_spaces) {
-  for (const HalfSpace& half_space : half_spaces) {
-    const PlaneId plane = space.add_plane(half_space);
-    OutputVertices vertices(space);
-    for (const VertexId v : plane_in_box(space, box, plane)) vertices.index(v);
-    polygons.push_back({half_space.name, vertices.rounded()});
-  }
-}
+/// A plane's polygon before rounding.
+struct PlaneLoop {
+  FacetName name;
+  Loop loop;
+};
+
+/// What is made of a pair, before rounding.
+struct ExactShapes {
+  ExactSurface occlusion;
+  ExactSurface umbra;
+  ExactSurface penumbra;
+  ExactSurface pockets;
+  std::vector<ConvexPolyhedron> umbra_cells;
+  std::vector<ConvexPolyhedron> penumbra_cells;
+  std::vector<PlaneLoop> planes;
+};
 
 void require_proper(const Box3& box) {
   const bool ordered = box.min.x < box.max.x && box.min.y < box.max.y && box.min.z < box.max.z;
@@ -116,31 +137,156 @@ void require_proper(const Box3& box) {
   if (!ordered || !finite) throw PreconditionError("a clip box needs finite bounds with min < max");
 }
 
+bool is_extremal(FacetKind kind) {
+  return kind == FacetKind::separating_blocker_plane || kind == FacetKind::separating_light_plane ||
+         kind == FacetKind::supporting_blocker_plane;
+}
+
+std::vector<PlaneLoop> plane_loops(ExactSpace& space, const PairHalfSpaces& half_spaces,
+                                   const ConvexPolyhedron& whole_box) {
+  std::vector<PlaneLoop> loops;
+  for (const auto* list : {&half_spaces.occlusion, &half_spaces.umbra}) {
+    for (const HalfSpace& half_space : *list) {
+      if (!is_extremal(half_space.name.kind)) continue;
+      loops.push_back({half_space.name, plane_in_box(space, whole_box, space.add_plane(half_space))});
+    }
+  }
+  return loops;
+}
+
+/// A solid blocker in the box. Its facets are named as in the half-spaces of the volumes.
+ConvexPolyhedron solid_in_box(ExactSpace& space, const HullPair& pair, const ConvexPolyhedron& whole_box) {
+  std::vector<PlaneId> planes;
+  for (std::uint32_t f = 0; f < pair.blocker.facets.size(); ++f) {
+    planes.push_back(space.add_plane(
+        {{FacetKind::blocker_face, -1, static_cast<std::int32_t>(f)},
+         {pair.blocker.facet_point(f, 0), pair.blocker.facet_point(f, 1), pair.blocker.facet_point(f, 2)}}));
+  }
+  return part_inside(space, whole_box, planes);
+}
+
+/// A pair's volumes in a box as exact polyhedra, and the space they live in.
+struct PolyhedraInBox {
+  ShadowPlanes planes;
+  std::array<PlaneId, 6> sides;
+  ConvexPolyhedron whole_box;
+  ConvexPolyhedron occlusion;
+  ConvexPolyhedron umbra;
+
+  PolyhedraInBox(const PairHalfSpaces& half_spaces, const HalfSpace& downward, const Box3& box)
+      : planes(half_spaces, downward),
+        sides(add_box(planes.space, box)),
+        whole_box(box_polyhedron(planes.space, box, sides)) {
+    if (!half_spaces.umbra_empty) umbra = part_inside(planes.space, whole_box, planes.umbra);
+  }
+};
+
+/// What a pair is, however it stands.
+struct PreparedPair {
+  PairHalfSpaces half_spaces;
+  std::optional<StandardPair> standard;  ///< with its contacts, where the volumes have a form known beforehand
+  std::optional<StandardContacts> contacts;
+  std::optional<HullPair> hulls;  ///< elsewhere
+};
+
+PreparedPair prepared(const Light& light, const ConvexBlocker& blocker) {
+  PreparedPair result;
+  if (is_standard_polygon_pair(light, blocker)) {
+    result.standard = standard_pair(light, std::get<ConvexPolygon>(blocker));
+    result.contacts.emplace(*result.standard);
+    result.half_spaces = standard_half_spaces(*result.standard, *result.contacts);
+  } else {
+    result.hulls.emplace(hull(light), hull(blocker));
+    result.half_spaces = pair_half_spaces(*result.hulls, light);
+  }
+  return result;
+}
+
+HalfSpace any_half_space(const HullPair& pair) {
+  return {{FacetKind::blocker_face},
+          {pair.blocker.facet_point(0, 0), pair.blocker.facet_point(0, 1), pair.blocker.facet_point(0, 2)}};
+}
+
+PolyhedraInBox polyhedra_in_box(const PreparedPair& pair, const Box3& box) {
+  const PairHalfSpaces& half_spaces = pair.half_spaces;
+  PolyhedraInBox result(half_spaces, pair.standard ? half_spaces.occlusion.front() : any_half_space(*pair.hulls), box);
+  ExactSpace& space = result.planes.space;
+  if (pair.standard) {
+    const ConvexPolyhedron unbounded =
+        standard_occlusion(space, *pair.standard, *pair.contacts, result.planes.occlusion);
+    result.occlusion = clipped(space, unbounded, {}, result.sides);
+  } else if (!half_spaces.occlusion_empty) {
+    result.occlusion = part_inside(space, result.whole_box, result.planes.occlusion);
+  }
+  return result;
+}
+
+/// The planes of the umbra that are not the occlusion's.
+std::vector<PlaneId> inner_planes(const PairHalfSpaces& half_spaces, const ShadowPlanes& planes) {
+  std::vector<PlaneId> result;
+  for (std::size_t i = 0; i < planes.umbra.size(); ++i) {
+    if (half_spaces.shared[i] == PairHalfSpaces::none) result.push_back(planes.umbra[i]);
+  }
+  return result;
+}
+
+std::vector<ConvexPolyhedron> cells_of_penumbra(PolyhedraInBox& in_box, const PairHalfSpaces& half_spaces) {
+  if (in_box.occlusion.empty()) return {};
+  if (half_spaces.umbra_empty) return {in_box.occlusion};
+  return penumbra_cells(in_box.planes.space, in_box.occlusion, inner_planes(half_spaces, in_box.planes));
+}
+
+ExactShapes exact_shapes(PolyhedraInBox& in_box, const PreparedPair& pair, const ShadowParts& parts) {
+  ExactSpace& space = in_box.planes.space;
+  const bool has_penumbra = pair.standard ? pair.standard->light.size() > 1 : pair.hulls->light.corners.size() > 1;
+  ExactShapes shapes;
+  shapes.occlusion = surface(in_box.occlusion);
+  shapes.umbra = surface(in_box.umbra);
+  if (parts.penumbra && has_penumbra) shapes.penumbra = difference_surface(space, in_box.occlusion, in_box.umbra);
+  if (parts.penumbra && pair.hulls && !pair.hulls->blocker.flat) {
+    shapes.pockets = difference_surface(space, in_box.umbra, solid_in_box(space, *pair.hulls, in_box.whole_box));
+  }
+  if (parts.cells && !in_box.umbra.empty()) shapes.umbra_cells = {in_box.umbra};
+  if (parts.cells && has_penumbra) shapes.penumbra_cells = cells_of_penumbra(in_box, pair.half_spaces);
+  if (parts.planes) shapes.planes = plane_loops(space, pair.half_spaces, in_box.whole_box);
+  return shapes;
+}
+
 }  // namespace
 
-ShadowMeshes shadow_meshes(const Light& light, const ConvexPolygon& blocker, const Box3& box) {
+ShadowMeshes shadow_meshes(const Light& light, const ConvexBlocker& blocker, const Box3& box,
+                           const ShadowParts& parts) {
   require_proper(box);
-  const StandardPair pair = standard_pair(light, blocker);
-  const PairHalfSpaces half_spaces(pair);
-  const CGAL::Protect_FPU_rounding<true> protection;
-  ShadowPolyhedra polyhedra(pair, half_spaces);
-  ExactSpace& space = polyhedra.space;
-  const std::array<PlaneId, 6> sides = add_box(space, box);
-  const ConvexPolyhedron occlusion = clipped_by_box(space, polyhedra.occlusion, sides);
-  const ConvexPolyhedron umbra = clipped_by_box(space, polyhedra.umbra, sides);
-
-  ShadowMeshes meshes;
-  meshes.occlusion = volume_mesh(space, surface(occlusion));
-  meshes.umbra = volume_mesh(space, surface(umbra));
-  if (!umbra.empty()) meshes.umbra_cells = volume_cells(space, {umbra});
-  if (pair.light.size() > 1) {  // a point light has no penumbra
-    meshes.penumbra = volume_mesh(space, penumbra_surface(space, occlusion, umbra, polyhedra, half_spaces, sides));
-    meshes.penumbra_cells = volume_cells(space, penumbra_cells(space, occlusion, polyhedra.supporting_blocker));
+  if (!is_supported(light, blocker)) {
+    throw PreconditionError("a one-sided light that is not exactly flat needs the blocker strictly in front of it");
   }
-  const ConvexPolyhedron whole_box = space.box(box, sides);
-  append_planes(meshes.extremal_planes, space, whole_box, half_spaces.separating_blocker);
-  append_planes(meshes.extremal_planes, space, whole_box, half_spaces.separating_light);
-  append_planes(meshes.extremal_planes, space, whole_box, half_spaces.supporting_blocker);
+  const PreparedPair pair = prepared(light, blocker);
+  std::optional<PolyhedraInBox> polyhedra;
+  ExactShapes shapes;
+  {
+    const CGAL::Protect_FPU_rounding<true> protection;
+    polyhedra.emplace(polyhedra_in_box(pair, box));
+    shapes = exact_shapes(*polyhedra, pair, parts);
+  }
+  const ExactSpace& space = polyhedra->planes.space;
+  VertexRounding rounding(space);
+  ShadowMeshes meshes;
+  meshes.occlusion = volume_mesh(space, shapes.occlusion, rounding);
+  meshes.umbra = volume_mesh(space, shapes.umbra, rounding);
+  meshes.penumbra = volume_mesh(space, shapes.penumbra, rounding);
+  meshes.umbra_pockets = volume_mesh(space, shapes.pockets, rounding);
+  meshes.umbra_cells = volume_cells(space, shapes.umbra_cells, rounding);
+  meshes.penumbra_cells = volume_cells(space, shapes.penumbra_cells, rounding);
+  for (const auto& [name, loop] : shapes.planes) {
+    PlanePolygon& polygon = meshes.extremal_planes.emplace_back(PlanePolygon{name, {}});
+    for (const VertexId v : loop) polygon.vertices.push_back(rounding(v));
+  }
+  if (parts.volumes) {
+    meshes.occlusion.volume = exact_volume(space, shapes.occlusion);
+    meshes.umbra.volume = exact_volume(space, shapes.umbra);
+    meshes.penumbra.volume = exact_volume(space, shapes.penumbra);
+    meshes.umbra_pockets.volume = exact_volume(space, shapes.pockets);
+  }
   return meshes;
 }
 

@@ -17,7 +17,7 @@ struct MeshTriangle {
 /// The boundary of a volume cut by a box: a closed triangle surface (each edge twice, in opposite directions),
 /// normals outward, no vertex inside another triangle's edge. Empty if the volume has no interior in the box.
 /// Exactness: connectivity is decided exactly; vertices are constructed exactly and each coordinate is rounded to the
-/// nearest double. `volume` is that of the exact mesh.
+/// nearest double. `volume` is that of the exact mesh, 0 if it was not asked for.
 struct VolumeMesh {
   std::vector<Point3> vertices;
   std::vector<FacetName> facets;
@@ -49,16 +49,26 @@ struct ShadowMeshes {
   VolumeMesh occlusion;
   VolumeMesh umbra;
   VolumeMesh penumbra;
+  VolumeMesh umbra_pockets;  ///< the umbra of a solid without the solid: none, one or more closed surfaces
   VolumeCells umbra_cells;
   VolumeCells penumbra_cells;
   std::vector<PlanePolygon> extremal_planes;
 };
 
-/// The volumes of a pair as closed meshes and convex cells, cut exactly by the box.
+/// What to make of a pair; occlusion and umbra are always made.
+struct ShadowParts {
+  bool penumbra = true;  ///< its surface, and that of the umbra's pockets
+  bool cells = true;     ///< umbra and penumbra as convex cells
+  bool planes = true;    ///< the extremal planes cut by the box
+  bool volumes = true;   ///< exact volumes; they take most of the time. Left out they are 0
+};
+
+/// The volumes of a pair in any position as closed meshes and convex cells, cut exactly by the box.
 ///
-/// Requires: pair_position(light, blocker) == Position::standard; box.min < box.max in every coordinate, all finite.
-/// Cost:     O(m (n + m)) exact decisions: about a millisecond for quadrilaterals, seconds for 500-gons.
+/// Requires: is_supported(light, blocker); box.min < box.max in every coordinate, all finite.
+/// Cost:     occlusion and umbra O(k log k) expected for k half-spaces; the cells O(k^2).
 /// Throws:   PreconditionError.
-ShadowMeshes shadow_meshes(const Light& light, const ConvexPolygon& blocker, const Box3& box);
+ShadowMeshes shadow_meshes(const Light& light, const ConvexBlocker& blocker, const Box3& box,
+                           const ShadowParts& parts = {});
 
 }  // namespace gnomon

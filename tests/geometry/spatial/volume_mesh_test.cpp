@@ -15,6 +15,7 @@
 #include "geometry/errors.h"
 #include "geometry/rounding.h"
 #include "geometry/spatial/penumbra_surface.h"
+#include "geometry/spatial/vertex_rounding.h"
 
 namespace gnomon {
 namespace {
@@ -108,15 +109,14 @@ bool is_closed(const ExactSurface& surface) {
   });
 }
 
-Rational plane_value(const ExactSpace& space, PlaneId plane, VertexId vertex) {
-  const Quadruple<Rational>& p = space.exact_plane(plane);
-  const Quadruple<Rational>& v = space.exact_vertex(vertex);
+ExactReal plane_value(const ExactSpace& space, PlaneId plane, VertexId vertex) {
+  const Quadruple<ExactReal>& p = space.exact_plane(plane);
+  const Quadruple<ExactReal>& v = space.exact_vertex(vertex);
   return p[0] * v[0] + p[1] * v[1] + p[2] * v[2] + p[3] * v[3];
 }
 
 std::array<Rational, 3> coordinates(const ExactSpace& space, VertexId vertex) {
-  const Quadruple<Rational>& v = space.exact_vertex(vertex);
-  return {Rational(v[0] / v[3]), Rational(v[1] / v[3]), Rational(v[2] / v[3])};
+  return exact_coordinates(space, vertex);
 }
 
 /// True if c lies strictly between a and b.
@@ -162,26 +162,6 @@ void check_surfaces(Domain domain) {
 TEST(VolumeMeshProperty, SurfacesAreClosedWithoutTJunctionsAndVerticesLieExactlyOnTheirPlanes) {
   EXPECT_TRUE(rc::check("on random pairs", [] { check_surfaces(Domain::random); }));
   EXPECT_TRUE(rc::check("on nearly degenerate pairs", [] { check_surfaces(Domain::near_degenerate); }));
-}
-
-void check_known_planes(Domain domain) {
-  const MeshCase drawn = draw_case(domain);
-  const CGAL::Protect_FPU_rounding<true> protection;
-  const ExactVolumes volumes(drawn.pair, drawn.box);
-  const ExactSpace& space = volumes.polyhedra.space;
-  for (const ConvexPolyhedron& polyhedron : {volumes.occlusion, volumes.umbra}) {
-    for (const auto& face : polyhedron.faces) {
-      for (const VertexId v : face.loop) {
-        RC_ASSERT(space.known_planes(v).size() >= 3u);
-        for (const PlaneId plane : space.known_planes(v)) RC_ASSERT(plane_value(space, plane, v) == 0);
-      }
-    }
-  }
-}
-
-TEST(VolumeMeshProperty, EveryVertexLiesExactlyOnAllPlanesThatNameIt) {
-  EXPECT_TRUE(rc::check("on random pairs", [] { check_known_planes(Domain::random); }));
-  EXPECT_TRUE(rc::check("on nearly degenerate pairs", [] { check_known_planes(Domain::near_degenerate); }));
 }
 
 void check_volumes(Domain domain) {

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/spatial/hull_pair.h"
+#include "geometry/spatial/shadow_volume.h"
+
+namespace gnomon {
+
+/// The half-spaces whose intersections are the occlusion and the umbra of a pair.
+struct PairHalfSpaces {
+  static constexpr std::uint32_t none = ~0u;
+
+  bool occlusion_empty = false;      ///< no point loses a measurable part of the light
+  bool umbra_empty = false;          ///< the umbra has no interior
+  std::vector<HalfSpace> occlusion;  ///< not empty and no half-space: all of space
+  std::vector<HalfSpace> umbra;
+  std::vector<std::uint32_t> shared;  ///< for every one of `umbra`: the one of `occlusion` in the same plane, or none
+};
+
+/// The half-spaces of a pair in any position.
+///
+/// Definition: the occlusion is the slice w = 1 of the cone of all (b, 1) and (-l, -1); its facets lie in planes that
+///             separate the light from the blocker. The umbra is the intersection of the shadows of the light's
+///             corners outside the blocker, bounded by facets that one of these sees and by supporting planes; where a
+///             part of the light with extent lies in a facet of a solid, that facet's plane bounds it too. Both are cut
+///             by a one-sided flat light's plane where the blocker does not lie strictly in front of it.
+/// Requires:   a light whose vertices were rounded off their plane is two-sided or has the blocker strictly in front.
+/// Exactness:  signs of orientation determinants of input points; where the light reaches into a solid, exact
+///             arithmetic on points constructed on the light.
+/// After:      [P93] §5.2.3; theory S6, S9, S11.
+PairHalfSpaces pair_half_spaces(const HullPair& pair, const Light& light);
+
+}  // namespace gnomon

@@ -1,0 +1,239 @@
+#include "geometry/spatial/volume_extent.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "geometry/spatial/shadow_polyhedra.h"
+
+namespace gnomon {
+namespace {
+
+/// Sets of things that are connected.
+class Groups {
+ public:
+  explicit Groups(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
+
+  std::size_t of(std::size_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::size_t a, std::size_t b) { parent_[of(a)] = of(b); }
+
+  /// Number of groups among those that count.
+  std::uint32_t count(const std::vector<bool>& counts) {
+    std::set<std::size_t> found;
+    for (std::size_t i = 0; i < parent_.size(); ++i) {
+      if (counts[i]) found.insert(of(i));
+    }
+    return static_cast<std::uint32_t>(found.size());
+  }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+/// The axes across the largest component of a facet's normal.
+std::array<std::uint32_t, 2> lateral_axes(const ExactSpace& space) {
+  const auto& [a, b, c] = space.definition(ExactSpace::downward).points;
+  const std::array u = {b.x - a.x, b.y - a.y, b.z - a.z};
+  const std::array v = {c.x - a.x, c.y - a.y, c.z - a.z};
+  std::uint32_t largest = 0;
+  double size = -1;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const double component = std::abs(u[(i + 1) % 3] * v[(i + 2) % 3] - u[(i + 2) % 3] * v[(i + 1) % 3]);
+    if (component > size) {
+      size = component;
+      largest = i;
+    }
+  }
+  return {(largest + 1) % 3, (largest + 2) % 3};
+}
+
+double coordinate(const Point3& p, std::uint32_t axis) {
+  return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+}
+
+/// Bounds, wide of the mark, of (b - apex)_axis / (h(apex) - h(b)) over the blocker's corners b, h being the height
+/// above the downward plane: the slopes of a pyramid about the shadow of the apex.
+std::array<double, 2> slopes(const ExactSpace& space, const Hull& blocker, const Point3& apex, std::uint32_t axis) {
+  double low = HUGE_VAL;
+  double high = -HUGE_VAL;
+  const Interval top = space.height(ExactSpace::downward, apex);
+  for (const Point3& corner : blocker.corners) {
+    const Interval across = Interval(coordinate(corner, axis)) - Interval(coordinate(apex, axis));
+    const Interval slope = across / (top - space.height(ExactSpace::downward, corner));
+    low = std::min(low, slope.inf());
+    high = std::max(high, slope.sup());
+  }
+  const double margin = high - low;
+  return {low - margin, high + margin};
+}
+
+/// A polyhedron about the shadow of the apex, without bound in the direction of the shadow: it lies below the downward
+/// plane, inside four planes through the apex.
+ConvexPolyhedron pyramid(ExactSpace& space, const Hull& blocker, const Point3& apex) {
+  const std::array<std::uint32_t, 2> axes = lateral_axes(space);
+  std::array<std::array<PlaneId, 2>, 2> sides;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto [low, high] = slopes(space, blocker, apex, axes[i]);
+    sides[i] = {space.add_apex_plane(apex, axes[i], -1, low), space.add_apex_plane(apex, axes[i], 1, high)};
+  }
+  std::array<VertexId, 8> v;  // bit 0: side of the first axis, bit 1: of the second, bit 2: at infinity
+  for (std::size_t c = 0; c < 8; ++c) {
+    const bool far = c & 4;
+    v[c] = space.add_meet({sides[0][c & 1], sides[1][c >> 1 & 1], far ? ExactSpace::at_infinity : ExactSpace::downward},
+                          far);
+  }
+  ConvexPolyhedron result;
+  result.faces = {{ExactSpace::downward, {v[0], v[1], v[3], v[2]}}, {ExactSpace::at_infinity, {v[4], v[6], v[7], v[5]}},
+                  {sides[0][0], {v[0], v[2], v[6], v[4]}},          {sides[0][1], {v[1], v[5], v[7], v[3]}},
+                  {sides[1][0], {v[0], v[4], v[5], v[1]}},          {sides[1][1], {v[2], v[3], v[7], v[6]}}};
+  if (space.turn(ExactSpace::downward, v[0], v[1], v[3]) < 0) {
+    for (auto& face : result.faces) std::reverse(face.loop.begin(), face.loop.end());
+  }
+  return result;
+}
+
+bool reaches_infinity(const ExactSpace& space, const ConvexPolyhedron& polyhedron) {
+  return std::any_of(polyhedron.faces.begin(), polyhedron.faces.end(), [&](const auto& face) {
+    return std::any_of(face.loop.begin(), face.loop.end(), [&](VertexId v) { return space.is_direction(v); });
+  });
+}
+
+using PointPair = std::array<std::array<double, 3>, 2>;
+
+PointPair point_pair(const Point3& a, const Point3& b) {
+  PointPair pair{{{a.x, a.y, a.z}, {b.x, b.y, b.z}}};
+  if (pair[1] < pair[0]) std::swap(pair[0], pair[1]);
+  return pair;
+}
+
+/// The blocker edges along which the umbra touches the occlusion's boundary.
+std::set<PointPair> edges_on_occlusion(const PairHalfSpaces& half_spaces) {
+  std::set<PointPair> edges;
+  for (const HalfSpace& half_space : half_spaces.occlusion) {
+    if (half_space.name.kind != FacetKind::separating_blocker_plane) continue;
+    edges.insert(point_pair(half_space.plane[0], half_space.plane[1]));
+  }
+  return edges;
+}
+
+/// Connected pieces of the umbra's boundary inside the occlusion: faces in no plane of the occlusion, joined at edges
+/// that are not on its boundary. Such an edge can only be one of the blocker's.
+std::uint32_t pieces_inside_occlusion(const ShadowPlanes& planes, const PairHalfSpaces& half_spaces,
+                                      const ConvexPolyhedron& umbra) {
+  const ExactSpace& space = planes.space;
+  const std::set<PlaneId> outer(planes.occlusion.begin(), planes.occlusion.end());
+  const std::set<PointPair> outer_edges = edges_on_occlusion(half_spaces);
+  const auto is_on_occlusion = [&](VertexId a, VertexId b) {
+    const std::uint32_t i = space.vertex_definition(a).input;
+    const std::uint32_t j = space.vertex_definition(b).input;
+    if (i == VertexDefinition::none || j == VertexDefinition::none) return false;
+    return outer_edges.count(point_pair(space.input(i).first, space.input(j).first)) != 0;
+  };
+  Groups groups(umbra.faces.size());
+  std::vector<bool> counts;
+  std::map<std::array<VertexId, 2>, std::size_t> edges;
+  for (std::size_t f = 0; f < umbra.faces.size(); ++f) {
+    counts.push_back(umbra.faces[f].plane != ExactSpace::at_infinity && !outer.count(umbra.faces[f].plane));
+    if (!counts[f]) continue;
+    const Loop& loop = umbra.faces[f].loop;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const VertexId a = loop[i];
+      const VertexId b = loop[(i + 1) % loop.size()];
+      const auto other = edges.find({b, a});
+      if (other != edges.end() && !is_on_occlusion(a, b)) groups.join(f, other->second);
+      edges[{a, b}] = f;
+    }
+  }
+  return groups.count(counts);
+}
+
+/// Connected pieces of a solid's boundary inside the umbra: facets in none of its planes, joined at edges.
+std::uint32_t umbra_pockets(const HullPair& pair, const PairHalfSpaces& half_spaces) {
+  if (pair.blocker.flat) return 0;
+  std::vector<bool> counts(pair.blocker.facets.size(), true);
+  for (const HalfSpace& half_space : half_spaces.umbra) {
+    if (half_space.name.kind == FacetKind::blocker_face) {
+      counts[static_cast<std::size_t>(half_space.name.vertex_index)] = false;
+    }
+  }
+  Groups groups(counts.size());
+  for (const Hull::Edge& edge : pair.blocker.edges) {
+    if (counts[edge.left] && counts[edge.right]) groups.join(edge.left, edge.right);
+  }
+  return groups.count(counts);
+}
+
+bool light_crosses_blocker_plane(const HullPair& pair) {
+  if (!pair.blocker.flat) return false;
+  bool front = false;
+  bool back = false;
+  for (std::uint32_t j = 0; j < pair.light.corners.size(); ++j) {
+    front = front || pair.facet_side(0, j) > 0;
+    back = back || pair.facet_side(0, j) < 0;
+  }
+  return front && back;
+}
+
+/// A corner of the light outside the blocker, and a facet it sees.
+struct Viewpoint {
+  std::uint32_t corner;
+  std::uint32_t facet;
+};
+
+std::optional<Viewpoint> viewpoint(const HullPair& pair) {
+  for (std::uint32_t j = 0; j < pair.light.corners.size(); ++j) {
+    if (const auto facet = facet_seen(pair, j)) return Viewpoint{j, *facet};
+  }
+  return std::nullopt;
+}
+
+/// The umbra and the penumbra where the umbra has an interior and a light of several points a corner outside the
+/// blocker.
+void measure_umbra(const HullPair& pair, const PairHalfSpaces& half_spaces, const Viewpoint& view,
+                   VolumeExtents& extents) {
+  const CGAL::Protect_FPU_rounding<true> protection;
+  const Hull& blocker = pair.blocker;
+  const HalfSpace seen{
+      {FacetKind::blocker_face, -1, blocker.flat ? -1 : static_cast<std::int32_t>(view.facet)},
+      {blocker.facet_point(view.facet, 0), blocker.facet_point(view.facet, 1), blocker.facet_point(view.facet, 2)}};
+  ShadowPlanes planes(half_spaces, seen);
+  const ConvexPolyhedron about = pyramid(planes.space, blocker, pair.light.corners[view.corner]);
+  const ConvexPolyhedron umbra = part_inside(planes.space, about, planes.umbra);
+  extents.umbra.bounded = !reaches_infinity(planes.space, umbra);
+  if (pair.light.corners.size() > 1) {
+    extents.penumbra.components = pieces_inside_occlusion(planes, half_spaces, umbra);
+  }
+}
+
+}  // namespace
+
+std::optional<std::uint32_t> facet_seen(const HullPair& pair, std::uint32_t j) {
+  for (std::uint32_t f = 0; f < pair.blocker.facets.size(); ++f) {
+    if (pair.facet_side(f, j) > 0) return f;
+  }
+  return std::nullopt;
+}
+
+VolumeExtents volume_extents(const HullPair& pair, const PairHalfSpaces& half_spaces) {
+  VolumeExtents extents;
+  if (half_spaces.occlusion_empty) return extents;
+  extents.occlusion = {false, false, 1};
+  const std::optional<Viewpoint> view = viewpoint(pair);
+  if (!half_spaces.umbra_empty) {
+    extents.umbra = {false, false, 1};
+    extents.umbra_pockets = umbra_pockets(pair, half_spaces);
+    if (view && !pair.light.at_infinity) measure_umbra(pair, half_spaces, *view, extents);
+  } else {
+    extents.penumbra.components = light_crosses_blocker_plane(pair) ? 2 : 1;
+  }
+  extents.penumbra.empty = extents.penumbra.components == 0;
+  extents.penumbra.bounded = extents.penumbra.empty;
+  return extents;
+}
+
+}  // namespace gnomon
