@@ -22,7 +22,9 @@ foreach(header IN ITEMS
     geometry/region.h
     geometry/scene/scene.h
     geometry/scene/scene_reader.h
+    geometry/spatial/convex_blocker.h
     geometry/spatial/convex_polygon.h
+    geometry/spatial/convex_solid.h
     geometry/spatial/extremal_planes.h
     geometry/spatial/light.h
     geometry/spatial/position.h
