@@ -20,9 +20,13 @@ foreach(header IN ITEMS
     geometry/planar/regions_in_box.h
     geometry/point.h
     geometry/region.h
+    geometry/scene/convex_parts.h
     geometry/scene/scene.h
     geometry/scene/scene_reader.h
+    geometry/spatial/closed_surface.h
+    geometry/spatial/convex_blocker.h
     geometry/spatial/convex_polygon.h
+    geometry/spatial/convex_solid.h
     geometry/spatial/extremal_planes.h
     geometry/spatial/light.h
     geometry/spatial/position.h
