@@ -7,7 +7,7 @@
 
 namespace gnomon {
 
-using Triangles = boost::container::small_vector<std::array<VertexId, 3>, 4>;
+using Triangles = std::vector<std::array<VertexId, 3>>;
 
 /// Triangles of a convex polygon whose boundary may have straight vertices.
 ///

@@ -53,10 +53,10 @@ ConvexPolyhedron part_inside(ExactSpace& space, const ConvexPolyhedron& polyhedr
   return clipped(space, polyhedron, std::move(cuts));
 }
 
-std::vector<ConvexPolyhedron> penumbra_cells(ExactSpace& space, ConvexPolyhedron rest,
-                                             const std::vector<PlaneId>& umbra) {
+std::vector<ConvexPolyhedron> cells_outside(ExactSpace& space, ConvexPolyhedron rest,
+                                            const std::vector<PlaneId>& planes) {
   std::vector<ConvexPolyhedron> cells;
-  for (const PlaneId plane : umbra) {
+  for (const PlaneId plane : planes) {
     if (rest.empty()) break;
     ConvexPolyhedron cell = clipped(space, rest, space.add_reversed(plane));
     if (!cell.empty()) cells.push_back(std::move(cell));

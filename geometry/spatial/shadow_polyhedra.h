@@ -30,9 +30,9 @@ ConvexPolyhedron box_polyhedron(ExactSpace& space, const Box3& box, const std::a
 /// The part of a polyhedron in the intersection of half-spaces.
 ConvexPolyhedron part_inside(ExactSpace& space, const ConvexPolyhedron& polyhedron, const std::vector<PlaneId>& planes);
 
-/// The penumbra as convex cells: the occlusion split along the umbra's planes. Each cell lies outside one of them and
-/// inside all before it; cells without interior are left out.
-std::vector<ConvexPolyhedron> penumbra_cells(ExactSpace& space, ConvexPolyhedron occlusion,
-                                             const std::vector<PlaneId>& umbra);
+/// The part of a polyhedron outside an intersection of half-spaces as convex cells: each lies outside one of the planes
+/// and inside all before it; cells without interior are left out.
+std::vector<ConvexPolyhedron> cells_outside(ExactSpace& space, ConvexPolyhedron polyhedron,
+                                            const std::vector<PlaneId>& planes);
 
 }  // namespace gnomon

@@ -11,9 +11,7 @@
 #include "geometry/rounding.h"
 #include "geometry/spatial/clipping.h"
 #include "geometry/spatial/difference_surface.h"
-#include "geometry/spatial/position.h"
-#include "geometry/spatial/shadow_polyhedra.h"
-#include "geometry/spatial/standard_occlusion.h"
+#include "geometry/spatial/pair_polyhedra.h"
 #include "geometry/spatial/vertex_rounding.h"
 
 namespace gnomon {
@@ -154,101 +152,20 @@ std::vector<PlaneLoop> plane_loops(ExactSpace& space, const PairHalfSpaces& half
   return loops;
 }
 
-/// A solid blocker in the box. Its facets are named as in the half-spaces of the volumes.
-ConvexPolyhedron solid_in_box(ExactSpace& space, const HullPair& pair, const ConvexPolyhedron& whole_box) {
-  std::vector<PlaneId> planes;
-  for (std::uint32_t f = 0; f < pair.blocker.facets.size(); ++f) {
-    planes.push_back(space.add_plane(
-        {{FacetKind::blocker_face, -1, static_cast<std::int32_t>(f)},
-         {pair.blocker.facet_point(f, 0), pair.blocker.facet_point(f, 1), pair.blocker.facet_point(f, 2)}}));
-  }
-  return part_inside(space, whole_box, planes);
-}
-
-/// A pair's volumes in a box as exact polyhedra, and the space they live in.
-struct PolyhedraInBox {
-  ShadowPlanes planes;
-  std::array<PlaneId, 6> sides;
-  ConvexPolyhedron whole_box;
-  ConvexPolyhedron occlusion;
-  ConvexPolyhedron umbra;
-
-  PolyhedraInBox(const PairHalfSpaces& half_spaces, const HalfSpace& downward, const Box3& box)
-      : planes(half_spaces, downward),
-        sides(add_box(planes.space, box)),
-        whole_box(box_polyhedron(planes.space, box, sides)) {
-    if (!half_spaces.umbra_empty) umbra = part_inside(planes.space, whole_box, planes.umbra);
-  }
-};
-
-/// What a pair is, however it stands.
-struct PreparedPair {
-  PairHalfSpaces half_spaces;
-  std::optional<StandardPair> standard;  ///< with its contacts, where the volumes have a form known beforehand
-  std::optional<StandardContacts> contacts;
-  std::optional<HullPair> hulls;  ///< elsewhere
-};
-
-PreparedPair prepared(const Light& light, const ConvexBlocker& blocker) {
-  PreparedPair result;
-  if (is_standard_polygon_pair(light, blocker)) {
-    result.standard = standard_pair(light, std::get<ConvexPolygon>(blocker));
-    result.contacts.emplace(*result.standard);
-    result.half_spaces = standard_half_spaces(*result.standard, *result.contacts);
-  } else {
-    result.hulls.emplace(hull(light), hull(blocker));
-    result.half_spaces = pair_half_spaces(*result.hulls, light);
-  }
-  return result;
-}
-
-HalfSpace any_half_space(const HullPair& pair) {
-  return {{FacetKind::blocker_face},
-          {pair.blocker.facet_point(0, 0), pair.blocker.facet_point(0, 1), pair.blocker.facet_point(0, 2)}};
-}
-
-PolyhedraInBox polyhedra_in_box(const PreparedPair& pair, const Box3& box) {
-  const PairHalfSpaces& half_spaces = pair.half_spaces;
-  PolyhedraInBox result(half_spaces, pair.standard ? half_spaces.occlusion.front() : any_half_space(*pair.hulls), box);
-  ExactSpace& space = result.planes.space;
-  if (pair.standard) {
-    const ConvexPolyhedron unbounded =
-        standard_occlusion(space, *pair.standard, *pair.contacts, result.planes.occlusion);
-    result.occlusion = clipped(space, unbounded, {}, result.sides);
-  } else if (!half_spaces.occlusion_empty) {
-    result.occlusion = part_inside(space, result.whole_box, result.planes.occlusion);
-  }
-  return result;
-}
-
-/// The planes of the umbra that are not the occlusion's.
-std::vector<PlaneId> inner_planes(const PairHalfSpaces& half_spaces, const ShadowPlanes& planes) {
-  std::vector<PlaneId> result;
-  for (std::size_t i = 0; i < planes.umbra.size(); ++i) {
-    if (half_spaces.shared[i] == PairHalfSpaces::none) result.push_back(planes.umbra[i]);
-  }
-  return result;
-}
-
-std::vector<ConvexPolyhedron> cells_of_penumbra(PolyhedraInBox& in_box, const PairHalfSpaces& half_spaces) {
-  if (in_box.occlusion.empty()) return {};
-  if (half_spaces.umbra_empty) return {in_box.occlusion};
-  return penumbra_cells(in_box.planes.space, in_box.occlusion, inner_planes(half_spaces, in_box.planes));
-}
-
-ExactShapes exact_shapes(PolyhedraInBox& in_box, const PreparedPair& pair, const ShadowParts& parts) {
-  ExactSpace& space = in_box.planes.space;
-  const bool has_penumbra = pair.standard ? pair.standard->light.size() > 1 : pair.hulls->light.corners.size() > 1;
+ExactShapes exact_shapes(PairPolyhedra& polyhedra, const PreparedPair& pair, const ShadowParts& parts) {
+  ExactSpace& space = polyhedra.planes.space;
   ExactShapes shapes;
-  shapes.occlusion = surface(in_box.occlusion);
-  shapes.umbra = surface(in_box.umbra);
-  if (parts.penumbra && has_penumbra) shapes.penumbra = difference_surface(space, in_box.occlusion, in_box.umbra);
-  if (parts.penumbra && pair.hulls && !pair.hulls->blocker.flat) {
-    shapes.pockets = difference_surface(space, in_box.umbra, solid_in_box(space, *pair.hulls, in_box.whole_box));
+  shapes.occlusion = surface(polyhedra.occlusion);
+  shapes.umbra = surface(polyhedra.umbra);
+  if (parts.penumbra && pair.has_penumbra()) {
+    shapes.penumbra = difference_surface(space, polyhedra.occlusion, polyhedra.umbra);
   }
-  if (parts.cells && !in_box.umbra.empty()) shapes.umbra_cells = {in_box.umbra};
-  if (parts.cells && has_penumbra) shapes.penumbra_cells = cells_of_penumbra(in_box, pair.half_spaces);
-  if (parts.planes) shapes.planes = plane_loops(space, pair.half_spaces, in_box.whole_box);
+  if (parts.penumbra && pair.has_solid()) {
+    shapes.pockets = difference_surface(space, polyhedra.umbra, solid_in_box(pair, polyhedra));
+  }
+  if (parts.cells && !polyhedra.umbra.empty()) shapes.umbra_cells = {polyhedra.umbra};
+  if (parts.cells) shapes.penumbra_cells = penumbra_cells(pair, polyhedra);
+  if (parts.planes) shapes.planes = plane_loops(space, pair.half_spaces, polyhedra.whole_box);
   return shapes;
 }
 
@@ -257,15 +174,12 @@ ExactShapes exact_shapes(PolyhedraInBox& in_box, const PreparedPair& pair, const
 ShadowMeshes shadow_meshes(const Light& light, const ConvexBlocker& blocker, const Box3& box,
                            const ShadowParts& parts) {
   require_proper(box);
-  if (!is_supported(light, blocker)) {
-    throw PreconditionError("a one-sided light that is not exactly flat needs the blocker strictly in front of it");
-  }
-  const PreparedPair pair = prepared(light, blocker);
-  std::optional<PolyhedraInBox> polyhedra;
+  const PreparedPair pair = prepared_pair(light, blocker);
+  std::optional<PairPolyhedra> polyhedra;
   ExactShapes shapes;
   {
     const CGAL::Protect_FPU_rounding<true> protection;
-    polyhedra.emplace(polyhedra_in_box(pair, box));
+    polyhedra.emplace(pair, box);
     shapes = exact_shapes(*polyhedra, pair, parts);
   }
   const ExactSpace& space = polyhedra->planes.space;

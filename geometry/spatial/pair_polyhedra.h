@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "geometry/spatial/shadow_polyhedra.h"
+#include "geometry/spatial/standard_occlusion.h"
+
+namespace gnomon {
+
+/// A pair with the half-spaces of its volumes.
+struct PreparedPair {
+  PairHalfSpaces half_spaces;
+  std::optional<StandardPair> standard;  ///< with its contacts, where the occlusion has a form known beforehand
+  std::optional<StandardContacts> contacts;
+  std::optional<HullPair> hulls;  ///< elsewhere
+
+  bool has_penumbra() const { return standard ? standard->light.size() > 1 : hulls->light.corners.size() > 1; }
+  bool has_solid() const { return hulls && !hulls->blocker.flat; }
+};
+
+/// Requires: light and blocker outlive the result.
+/// Throws:   PreconditionError unless is_supported(light, blocker).
+PreparedPair prepared_pair(const Light& light, const ConvexBlocker& blocker);
+
+/// A pair's volumes in a box as exact polyhedra, and the space they live in.
+///
+/// Requires: the rounding mode is protected while it is made and used.
+struct PairPolyhedra {
+  PairPolyhedra(const PreparedPair& pair, const Box3& box);
+
+  ShadowPlanes planes;
+  std::array<PlaneId, 6> sides;
+  ConvexPolyhedron whole_box;
+  ConvexPolyhedron occlusion;
+  ConvexPolyhedron umbra;
+};
+
+/// The penumbra as convex cells that share no interior point; none for lights of a single point.
+std::vector<ConvexPolyhedron> penumbra_cells(const PreparedPair& pair, PairPolyhedra& polyhedra);
+
+/// A solid blocker in the box. Its facets are named as in the half-spaces of the volumes.
+ConvexPolyhedron solid_in_box(const PreparedPair& pair, PairPolyhedra& polyhedra);
+
+}  // namespace gnomon
