@@ -30,24 +30,34 @@ struct Walk {
 /// j that is passed on the way to blocker edge k.
 template <class OnContact, class OnStep>
 void walk(const Walk& light, const Walk& blocker, double outward, OnContact contact, OnStep step) {
-  const auto gain = [&](std::uint32_t k, std::uint32_t from, std::uint32_t to) {
-    return outward * determinant(blocker.point(k), blocker.point(blocker.next(k)), light.point(from), light.point(to));
-  };
+  const Point3* start = &blocker.point(0);
+  const Point3* end = &blocker.point(1);
+  const auto gain = [&](const Point3& from, const Point3& to) { return outward * determinant(*start, *end, from, to); };
   std::uint32_t j = 0;
   for (std::uint32_t i = 1; i < light.size(); ++i) {
-    if (gain(0, j, i) > 0) j = i;
+    if (gain(light.point(j), light.point(i)) > 0) j = i;
   }
-  if (gain(0, j, light.previous(j)) == 0) j = light.previous(j);
+  if (gain(light.point(j), light.point(light.previous(j))) == 0) j = light.previous(j);
   const std::uint32_t first = j;
+  std::uint32_t ahead = light.next(j);
+  const Point3* here = &light.point(j);
+  const Point3* there = &light.point(ahead);
+  const auto advance = [&] {
+    j = ahead;
+    ahead = light.next(ahead);
+    here = there;
+    there = &light.point(ahead);
+  };
   for (std::uint32_t k = 0; k < blocker.size(); ++k) {
-    double ahead = gain(k, j, light.next(j));
-    for (; ahead > 0; ahead = gain(k, j, light.next(j))) {
+    double gained = gain(*here, *there);
+    for (; gained > 0; gained = gain(*here, *there)) {
       step(j, k);
-      j = light.next(j);
+      advance();
     }
-    const std::uint32_t last = ahead == 0 ? light.next(j) : j;
-    contact(k, std::min(light.vertex(j), light.vertex(last)));
-    j = last;
+    contact(k, gained == 0 ? std::min(light.vertex(j), light.vertex(ahead)) : light.vertex(j));
+    if (gained == 0) advance();
+    start = end;
+    end = &blocker.point(blocker.next(blocker.next(k)));
   }
   for (; j != first; j = light.next(j)) step(j, 0);
 }
