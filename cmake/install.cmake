@@ -32,6 +32,7 @@ foreach(header IN ITEMS
     geometry/spatial/position.h
     geometry/spatial/shadow_volume.h
     geometry/spatial/volume_mesh.h
+    geometry/visibility/visibility.h
     viz/display.h
     viz/picture.h
     viz/shadow_result.h
