@@ -20,6 +20,12 @@ inline Point3 moved(const Point3& a, double s, const Point3& b) {
   return {a.x + s * b.x, a.y + s * b.y, a.z + s * b.z};
 }
 
+/// Draws the vertices of a convex polygon with small coordinates, flat because it is a combination of two integer
+/// vectors that needs no rounding; a needle stretches the first.
+///
+/// Requires: called inside rc::gen::exec.
+std::vector<Point3> draw_polygon(double stretch);
+
 /// Draws a pair in standard position.
 ///
 /// Requires: called inside rc::gen::exec.
