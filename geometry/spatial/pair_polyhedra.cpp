@@ -56,12 +56,12 @@ std::vector<ConvexPolyhedron> penumbra_cells(const PreparedPair& pair, PairPolyh
   return cells_outside(polyhedra.planes.space, polyhedra.occlusion, inner);
 }
 
-ConvexPolyhedron solid_in_box(const PreparedPair& pair, PairPolyhedra& polyhedra) {
+ConvexPolyhedron solid_in_umbra(const PreparedPair& pair, PairPolyhedra& polyhedra) {
   std::vector<PlaneId> planes;
   for (std::uint32_t f = 0; f < pair.hulls->blocker.facets.size(); ++f) {
     planes.push_back(polyhedra.planes.space.add_plane(facet_half_space(*pair.hulls, f)));
   }
-  return part_inside(polyhedra.planes.space, polyhedra.whole_box, planes);
+  return part_inside(polyhedra.planes.space, polyhedra.umbra, planes);
 }
 
 }  // namespace gnomon

@@ -6,7 +6,7 @@ namespace gnomon {
 
 ShadowPlanes::ShadowPlanes(const PairHalfSpaces& half_spaces, const HalfSpace& downward) : space(downward) {
   const auto is_first = [&](const HalfSpace& half_space) {
-    return half_space.name == downward.name && half_space.plane == downward.plane;
+    return half_space.name.kind == FacetKind::blocker_face && half_space.name == downward.name;
   };
   occlusion.reserve(half_spaces.occlusion.size());
   for (const HalfSpace& half_space : half_spaces.occlusion) {

@@ -4,6 +4,8 @@
 #include <map>
 #include <numeric>
 
+#include "geometry/errors.h"
+
 namespace gnomon {
 namespace {
 
@@ -70,6 +72,7 @@ void join_touching_sheets(Fans& fans, const std::vector<EdgeUse>& uses) {
   std::vector<EdgeUse> outer;
   std::vector<EdgeUse> inner;
   for (const EdgeUse& use : uses) (use.inner ? inner : outer).push_back(use);
+  if (inner.size() != 2 || outer.size() != 2) throw PreconditionError("the surface touches itself where it cannot");
   if (inner[0].forward == outer[0].forward) std::swap(inner[0], inner[1]);
   const bool goes_round = fans.representative(outer[0].start()) == fans.representative(outer[1].end()) ||
                           fans.representative(outer[0].end()) == fans.representative(outer[1].start());

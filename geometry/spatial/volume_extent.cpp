@@ -122,13 +122,14 @@ std::set<PointPair> edges_on_occlusion(const PairHalfSpaces& half_spaces) {
 }
 
 /// Connected pieces of the umbra's boundary inside the occlusion: faces in no plane of the occlusion, joined at edges
-/// that are not on its boundary. Such an edge can only be one of the blocker's.
+/// that are neither on its boundary (only one of the blocker's edges can be) nor at infinity.
 std::uint32_t pieces_inside_occlusion(const ShadowPlanes& planes, const PairHalfSpaces& half_spaces,
                                       const ConvexPolyhedron& umbra) {
   const ExactSpace& space = planes.space;
   const std::set<PlaneId> outer(planes.occlusion.begin(), planes.occlusion.end());
   const std::set<PointPair> outer_edges = edges_on_occlusion(half_spaces);
-  const auto is_on_occlusion = [&](VertexId a, VertexId b) {
+  const auto is_no_joint = [&](VertexId a, VertexId b) {
+    if (space.is_direction(a) && space.is_direction(b)) return true;
     const std::uint32_t i = space.vertex_definition(a).input;
     const std::uint32_t j = space.vertex_definition(b).input;
     if (i == VertexDefinition::none || j == VertexDefinition::none) return false;
@@ -145,17 +146,35 @@ std::uint32_t pieces_inside_occlusion(const ShadowPlanes& planes, const PairHalf
       const VertexId a = loop[i];
       const VertexId b = loop[(i + 1) % loop.size()];
       const auto other = edges.find({b, a});
-      if (other != edges.end() && !is_on_occlusion(a, b)) groups.join(f, other->second);
+      if (other != edges.end() && !is_no_joint(a, b)) groups.join(f, other->second);
       edges[{a, b}] = f;
     }
   }
   return groups.count(counts);
 }
 
-/// Connected pieces of a solid's boundary inside the umbra: facets in none of its planes, joined at edges.
+/// For each corner of the blocker: it is strictly inside the light's planes that bound the umbra.
+std::vector<bool> corners_in_front(const HullPair& pair, const PairHalfSpaces& half_spaces) {
+  std::vector<bool> result(pair.blocker.corners.size(), true);
+  for (const HalfSpace& half_space : half_spaces.umbra) {
+    if (half_space.name.kind != FacetKind::light_plane) continue;
+    const auto& [a, b, c] = half_space.plane;
+    for (std::size_t k = 0; k < result.size(); ++k) {
+      result[k] = result[k] && pair.orientation(a, b, c, pair.blocker.corners[k]) < 0;
+    }
+  }
+  return result;
+}
+
+/// Connected pieces of a solid's boundary inside the umbra: facets in none of its planes, joined at edges; of both what
+/// lies in front of the light.
 std::uint32_t umbra_pockets(const HullPair& pair, const PairHalfSpaces& half_spaces) {
   if (pair.blocker.flat) return 0;
-  std::vector<bool> counts(pair.blocker.facets.size(), true);
+  const std::vector<bool> in_front = corners_in_front(pair, half_spaces);
+  std::vector<bool> counts;
+  for (const Hull::Facet& facet : pair.blocker.facets) {
+    counts.push_back(std::any_of(facet.loop.begin(), facet.loop.end(), [&](std::uint32_t k) { return in_front[k]; }));
+  }
   for (const HalfSpace& half_space : half_spaces.umbra) {
     if (half_space.name.kind == FacetKind::blocker_face) {
       counts[static_cast<std::size_t>(half_space.name.vertex_index)] = false;
@@ -163,7 +182,8 @@ std::uint32_t umbra_pockets(const HullPair& pair, const PairHalfSpaces& half_spa
   }
   Groups groups(counts.size());
   for (const Hull::Edge& edge : pair.blocker.edges) {
-    if (counts[edge.left] && counts[edge.right]) groups.join(edge.left, edge.right);
+    if (!counts[edge.left] || !counts[edge.right]) continue;
+    if (in_front[edge.from] || in_front[edge.to]) groups.join(edge.left, edge.right);
   }
   return groups.count(counts);
 }

@@ -161,7 +161,7 @@ ExactShapes exact_shapes(PairPolyhedra& polyhedra, const PreparedPair& pair, con
     shapes.penumbra = difference_surface(space, polyhedra.occlusion, polyhedra.umbra);
   }
   if (parts.penumbra && pair.has_solid()) {
-    shapes.pockets = difference_surface(space, polyhedra.umbra, solid_in_box(pair, polyhedra));
+    shapes.pockets = difference_surface(space, polyhedra.umbra, solid_in_umbra(pair, polyhedra));
   }
   if (parts.cells && !polyhedra.umbra.empty()) shapes.umbra_cells = {polyhedra.umbra};
   if (parts.cells) shapes.penumbra_cells = penumbra_cells(pair, polyhedra);

@@ -56,8 +56,13 @@ std::optional<Region> expected_region(const AnyPair& pair, const ShadowVolumes& 
   if (!is_extended(pair.light)) {
     return occlusion == Side::outside ? Region::lit : Region::umbra;  // closed: a grazing contact blocks
   }
+  const auto* area = std::get_if<AreaLight>(&pair.light);
+  if (area && !area->polygon.is_flat()) {  // its fraction is that of triangles inside its hull
+    if (occlusion == Side::outside) return Region::lit;
+    return umbra == Side::inside ? std::optional(Region::umbra) : std::nullopt;
+  }
   // A grazing contact hides nothing of an area light. Of a linear light it may, along a plane that holds all of it.
-  const bool is_area = std::holds_alternative<AreaLight>(pair.light);
+  const bool is_area = area != nullptr;
   if (occlusion == Side::outside || (is_area && occlusion == Side::boundary && umbra == Side::outside)) {
     return Region::lit;
   }

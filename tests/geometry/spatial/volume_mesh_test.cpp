@@ -10,11 +10,15 @@
 #include <ostream>
 #include <set>
 
+#include "apps/laws/any_pair.h"
 #include "apps/laws/draw.h"
+#include "apps/laws/pair_generator.h"
 #include "apps/laws/spatial_cases.h"
 #include "geometry/errors.h"
 #include "geometry/rounding.h"
-#include "geometry/spatial/penumbra_surface.h"
+#include "geometry/spatial/difference_surface.h"
+#include "geometry/spatial/pair_polyhedra.h"
+#include "geometry/spatial/position.h"
 #include "geometry/spatial/vertex_rounding.h"
 
 namespace gnomon {
@@ -24,40 +28,43 @@ using laws::Domain;
 using laws::draw;
 using laws::SpatialCase;
 
-/// A pair's volumes before rounding.
-struct ExactVolumes {
-  ExactVolumes(const SpatialCase& drawn, const Box3& box)
-      : pair(standard_pair(drawn.light, drawn.blocker)), half_spaces(pair), polyhedra(pair, half_spaces) {
-    const std::array<PlaneId, 6> sides = add_box(polyhedra.space, box);
-    occlusion = clipped_by_box(polyhedra.space, polyhedra.occlusion, sides);
-    umbra = clipped_by_box(polyhedra.space, polyhedra.umbra, sides);
-    surfaces = {surface(occlusion), surface(umbra)};
-    surfaces.push_back(penumbra_surface(polyhedra.space, occlusion, umbra, polyhedra, half_spaces, sides));
-  }
-
-  StandardPair pair;
-  PairHalfSpaces half_spaces;
-  ShadowPolyhedra polyhedra;
-  ConvexPolyhedron occlusion;
-  ConvexPolyhedron umbra;
-  std::vector<ExactSurface> surfaces;  ///< occlusion, umbra, penumbra
+struct MeshCase {
+  Light light;
+  ConvexBlocker blocker;
+  Box3 box;
 };
 
-std::vector<Point3> all_points(const SpatialCase& drawn) {
-  std::vector<Point3> points(drawn.blocker.points().begin(), drawn.blocker.points().end());
-  if (const auto* area = std::get_if<AreaLight>(&drawn.light)) {
-    points.insert(points.end(), area->polygon.points().begin(), area->polygon.points().end());
-  } else if (const auto* line = std::get_if<LinearLight>(&drawn.light)) {
-    points.insert(points.end(), {line->start, line->end});
-  } else {
-    points.push_back(std::get<PointLight>(drawn.light).position);
+/// A pair's volumes before rounding.
+struct ExactVolumes {
+  explicit ExactVolumes(const MeshCase& drawn)
+      : pair(prepared_pair(drawn.light, drawn.blocker)), polyhedra(pair, drawn.box) {
+    surfaces = {surface(polyhedra.occlusion), surface(polyhedra.umbra)};
+    if (pair.has_penumbra()) {
+      surfaces.push_back(difference_surface(polyhedra.planes.space, polyhedra.occlusion, polyhedra.umbra));
+    }
+    if (pair.has_solid()) {
+      solid = solid_in_umbra(pair, polyhedra);
+      surfaces.push_back(difference_surface(polyhedra.planes.space, polyhedra.umbra, solid));
+    }
   }
+
+  PreparedPair pair;
+  PairPolyhedra polyhedra;
+  ConvexPolyhedron solid;
+  std::vector<ExactSurface> surfaces;  ///< occlusion, umbra, penumbra, pockets
+};
+
+std::vector<Point3> all_points(const Light& light, const ConvexBlocker& blocker) {
+  const auto of_blocker = std::visit([](const auto& shape) { return shape.points(); }, blocker);
+  std::vector<Point3> points(of_blocker.begin(), of_blocker.end());
+  if (std::holds_alternative<DirectionalLight>(light)) return points;
+  const std::vector<Point3> of_light = laws::light_points(light);
+  points.insert(points.end(), of_light.begin(), of_light.end());
   return points;
 }
 
 /// A box whose sides often go through vertices, so that they cut the blocker or hold it, its edges or the light.
-Box3 draw_box(const SpatialCase& drawn) {
-  const std::vector<Point3> points = all_points(drawn);
+Box3 draw_box(const std::vector<Point3>& points) {
   const int reach = laws::once_in(2) ? 9 : 60;
   const auto range = [&](double Point3::*coordinate) {
     const int last = static_cast<int>(points.size()) - 1;
@@ -71,21 +78,32 @@ Box3 draw_box(const SpatialCase& drawn) {
   return {{x, y, z}, {X, Y, Z}};
 }
 
-struct MeshCase {
-  SpatialCase pair;
-  Box3 box;
-};
-
 void showValue(const MeshCase& drawn, std::ostream& out) {
   const auto& [a, b] = drawn.box;
-  out << laws::description(drawn.pair) << std::setprecision(17) << "box " << a.x << ',' << a.y << ',' << a.z << ','
-      << b.x << ',' << b.y << ',' << b.z;
+  out << laws::description(laws::AnyPair{drawn.light, drawn.blocker, {}}) << std::setprecision(17) << "box " << a.x
+      << ',' << a.y << ',' << a.z << ',' << b.x << ',' << b.y << ',' << b.z;
 }
 
+/// Half of the pairs are in standard position, the rest of any kind in any position.
 MeshCase draw_case(Domain domain) {
   return *rc::gen::exec([domain] {
-    const SpatialCase pair = *laws::spatial_cases(domain, laws::Lights::all);
-    return MeshCase{pair, draw_box(pair)};
+    if (laws::once_in(2)) {
+      const SpatialCase pair = *laws::spatial_cases(domain, laws::Lights::all);
+      return MeshCase{pair.light, pair.blocker, draw_box(all_points(pair.light, pair.blocker))};
+    }
+    const auto light = static_cast<laws::LightKind>(draw(0, 5));
+    const auto blocker = static_cast<laws::BlockerKind>(draw(0, 2));
+    const laws::AnyPair pair = laws::draw_any_pair(domain, light, blocker, 0);
+    if (!is_supported(pair.light, pair.blocker)) RC_DISCARD("no volumes are defined");
+    return MeshCase{pair.light, pair.blocker, draw_box(all_points(pair.light, pair.blocker))};
+  });
+}
+
+MeshCase draw_solid_case(Domain domain) {
+  return *rc::gen::exec([domain] {
+    const auto light = static_cast<laws::LightKind>(draw(0, 4));
+    const laws::AnyPair pair = laws::draw_any_pair(domain, light, laws::BlockerKind::solid, 0);
+    return MeshCase{pair.light, pair.blocker, draw_box(all_points(pair.light, pair.blocker))};
   });
 }
 
@@ -147,13 +165,13 @@ bool has_t_junction(const ExactSpace& space, const ExactSurface& surface) {
 void check_surfaces(Domain domain) {
   const MeshCase drawn = draw_case(domain);
   const CGAL::Protect_FPU_rounding<true> protection;
-  const ExactVolumes volumes(drawn.pair, drawn.box);
+  const ExactVolumes volumes(drawn);
   for (const ExactSurface& surface : volumes.surfaces) {
     RC_ASSERT(is_closed(surface));
-    RC_ASSERT_FALSE(has_t_junction(volumes.polyhedra.space, surface));
+    RC_ASSERT_FALSE(has_t_junction(volumes.polyhedra.planes.space, surface));
     for (const auto& facet : surface.facets) {
       for (const auto& triangle : facet.triangles) {
-        for (const VertexId v : triangle) RC_ASSERT(plane_value(volumes.polyhedra.space, facet.plane, v) == 0);
+        for (const VertexId v : triangle) RC_ASSERT(plane_value(volumes.polyhedra.planes.space, facet.plane, v) == 0);
       }
     }
   }
@@ -166,11 +184,14 @@ TEST(VolumeMeshProperty, SurfacesAreClosedWithoutTJunctionsAndVerticesLieExactly
 
 void check_volumes(Domain domain) {
   const MeshCase drawn = draw_case(domain);
-  const ShadowMeshes meshes = shadow_meshes(drawn.pair.light, drawn.pair.blocker, drawn.box);
+  const ShadowMeshes meshes = shadow_meshes(drawn.light, drawn.blocker, drawn.box);
   const Rational occlusion(meshes.occlusion.volume.exact);
   const Rational umbra(meshes.umbra.volume.exact);
   const Rational penumbra(meshes.penumbra.volume.exact);
+  const bool has_extent =
+      std::holds_alternative<LinearLight>(drawn.light) || std::holds_alternative<AreaLight>(drawn.light);
   RC_ASSERT(occlusion == umbra + penumbra);
+  RC_ASSERT(has_extent || penumbra == 0);
   RC_ASSERT(umbra >= 0);
   RC_ASSERT(penumbra >= 0);
   RC_ASSERT((umbra > 0) == !meshes.umbra.triangles.empty());
@@ -211,17 +232,19 @@ bool is_convex(const ExactSpace& space, const ConvexPolyhedron& polyhedron) {
 void check_cells(Domain domain) {
   const MeshCase drawn = draw_case(domain);
   const CGAL::Protect_FPU_rounding<true> protection;
-  ExactVolumes volumes(drawn.pair, drawn.box);
-  ExactSpace& space = volumes.polyhedra.space;
+  ExactVolumes volumes(drawn);
+  ExactSpace& space = volumes.polyhedra.planes.space;
   Rational cells = 0;
-  for (const auto& cell : penumbra_cells(space, volumes.occlusion, volumes.polyhedra.supporting_blocker)) {
+  for (const auto& cell : penumbra_cells(volumes.pair, volumes.polyhedra)) {
     RC_ASSERT(is_closed(surface(cell)));
     RC_ASSERT(is_convex(space, cell));
     const Rational volume = six_volumes(space, cell);
     RC_ASSERT(volume > 0);
     cells += volume;
   }
-  RC_ASSERT(cells == six_volumes(space, volumes.occlusion) - six_volumes(space, volumes.umbra));
+  const Rational penumbra =
+      six_volumes(space, volumes.polyhedra.occlusion) - six_volumes(space, volumes.polyhedra.umbra);
+  RC_ASSERT(cells == penumbra);
 }
 
 TEST(VolumeMeshProperty, CellsAreConvexAndFillThePenumbraExactly) {
@@ -246,6 +269,108 @@ Rational six_volumes(const VolumeCells& cells, const VolumeCells::Cell& cell) {
     }
   }
   return sum;
+}
+
+Rational six_volumes(const ExactSpace& space, const ExactSurface& surface) {
+  Rational sum = 0;
+  for (const auto& facet : surface.facets) {
+    for (const auto& [a, b, c] : facet.triangles) {
+      const auto p = coordinates(space, a), q = coordinates(space, b), r = coordinates(space, c);
+      sum += CGAL::determinant<Rational>(p[0], p[1], p[2], q[0], q[1], q[2], r[0], r[1], r[2]);
+    }
+  }
+  return sum;
+}
+
+void check_pockets(Domain domain) {
+  const MeshCase drawn = draw_solid_case(domain);
+  const CGAL::Protect_FPU_rounding<true> protection;
+  const ExactVolumes volumes(drawn);
+  const ExactSpace& space = volumes.polyhedra.planes.space;
+  const Rational outside = six_volumes(space, volumes.polyhedra.umbra) - six_volumes(space, volumes.solid);
+  RC_ASSERT(six_volumes(space, volumes.surfaces.back()) == outside);
+}
+
+TEST(VolumeMeshProperty, PocketsAreTheUmbraWithoutTheSolidExactly) {
+  EXPECT_TRUE(rc::check("on random pairs", [] { check_pockets(Domain::random); }));
+  EXPECT_TRUE(rc::check("on nearly degenerate pairs", [] { check_pockets(Domain::near_degenerate); }));
+}
+
+/// Number of solids that a surface bounds: of its pieces (two triangles are of one piece if they share a vertex) those
+/// that hold a volume; the others are hollows in them.
+std::size_t pieces(const ExactSpace& space, const ExactSurface& surface) {
+  std::map<VertexId, VertexId> parent;
+  const auto root = [&](VertexId v) {
+    while (parent.try_emplace(v, v).first->second != v) v = parent[v];
+    return v;
+  };
+  for (const auto& facet : surface.facets) {
+    for (const auto& [a, b, c] : facet.triangles) parent[root(a)] = root(b), parent[root(c)] = root(b);
+  }
+  std::map<VertexId, ExactSurface> by_root;
+  for (const auto& facet : surface.facets) {
+    for (const auto& triangle : facet.triangles) by_root[root(triangle[0])].facets.push_back({facet.plane, {triangle}});
+  }
+  return static_cast<std::size_t>(std::count_if(
+      by_root.begin(), by_root.end(), [&](const auto& entry) { return six_volumes(space, entry.second) > 0; }));
+}
+
+/// In a box that holds all corners of the volumes, which have small integer coordinates, there are as many pieces as in
+/// all of space.
+void check_components() {
+  MeshCase drawn = laws::once_in(2) ? draw_solid_case(Domain::random) : draw_case(Domain::random);
+  drawn.box = {{-0x1p40, -0x1p40, -0x1p40}, {0x1p40, 0x1p40, 0x1p40}};
+  const ShadowVolumes facts = shadow_volumes(drawn.light, drawn.blocker);
+  const CGAL::Protect_FPU_rounding<true> protection;
+  const ExactVolumes volumes(drawn);
+  RC_TAG(std::to_string(facts.penumbra_facts.components) + " penumbrae, " + std::to_string(facts.umbra_pockets) +
+         " pockets");
+  if (volumes.pair.has_solid())
+    RC_ASSERT(pieces(volumes.polyhedra.planes.space, volumes.surfaces.back()) == facts.umbra_pockets);
+  if (volumes.pair.has_penumbra() && !volumes.polyhedra.umbra.empty()) {
+    RC_ASSERT(pieces(volumes.polyhedra.planes.space, volumes.surfaces[2]) == facts.penumbra_facts.components);
+  }
+  RC_ASSERT(volumes.polyhedra.occlusion.empty() == facts.occlusion_facts.empty);
+  RC_ASSERT(volumes.polyhedra.umbra.empty() == facts.umbra_facts.empty);
+  const bool reaches_box =
+      std::any_of(volumes.polyhedra.umbra.faces.begin(), volumes.polyhedra.umbra.faces.end(), [&](const auto& face) {
+        return face.plane >= volumes.polyhedra.sides[0] && face.plane <= volumes.polyhedra.sides[5];
+      });
+  RC_ASSERT(reaches_box == !facts.umbra_facts.bounded);
+}
+
+TEST(VolumeMeshAgreement, VolumesHaveAsManyPiecesAsTheirFactsSay) {
+  EXPECT_TRUE(rc::check("on random pairs", [] { check_components(); }));
+}
+
+void check_rounding(Domain domain) {
+  const MeshCase drawn = draw_case(domain);
+  const ShadowMeshes meshes = shadow_meshes(drawn.light, drawn.blocker, drawn.box, {false, false, false, false});
+  std::vector<std::array<Rational, 3>> exact;
+  {
+    const CGAL::Protect_FPU_rounding<true> protection;
+    const ExactVolumes volumes(drawn);
+    std::set<VertexId> seen;
+    for (const auto& facet : volumes.surfaces[0].facets) {
+      for (const auto& triangle : facet.triangles) {
+        for (const VertexId v : triangle) {
+          if (seen.insert(v).second) exact.push_back(coordinates(volumes.polyhedra.planes.space, v));
+        }
+      }
+    }
+  }
+  RC_ASSERT(exact.size() == meshes.occlusion.vertices.size());
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    const Point3& p = meshes.occlusion.vertices[i];
+    RC_ASSERT(p.x == nearest_double(exact[i][0]));
+    RC_ASSERT(p.y == nearest_double(exact[i][1]));
+    RC_ASSERT(p.z == nearest_double(exact[i][2]));
+  }
+}
+
+TEST(VolumeMeshAgreement, VerticesAreTheExactOnesRoundedToNearest) {
+  EXPECT_TRUE(rc::check("on random pairs", [] { check_rounding(Domain::random); }));
+  EXPECT_TRUE(rc::check("on nearly degenerate pairs", [] { check_rounding(Domain::near_degenerate); }));
 }
 
 TEST(VolumeMesh, CellsOfASquareUnderASquareFillThePenumbra) {
