@@ -20,9 +20,10 @@ struct PairResult {
   std::uint32_t light_id = 0;    ///< index into Scene::lights
   std::uint32_t blocker_id = 0;  ///< index into Scene::blockers
   std::string light;
-  std::string blocker;               ///< a part of a larger blocker is named `vase#12`
-  std::optional<Position> position;  ///< nothing where a position is not defined (solids, directional lights)
-  bool supported = false;            ///< false: `volumes` and `meshes` are not there
+  std::string blocker;  ///< a part of a larger blocker is named `vase#12`
+  Position position = Position::standard;
+  bool supported = false;  ///< false: `volumes` and `meshes` are not there
+  bool is_solid = false;   ///< the blocker has an inside, and the umbra may have pockets outside of it
   ShadowVolumes volumes;
   ShadowMeshes meshes;
 };

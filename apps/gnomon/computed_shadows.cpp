@@ -21,9 +21,9 @@ PairResult computed(const Scene& scene, const ScenePair& pair, const Box3& clip_
   result.supported = pair.supported();
   if (!result.supported) return result;
   const Light& light = scene.lights[pair.light_index].shape;
-  const auto& blocker = std::get<ConvexPolygon>(scene.blockers[pair.blocker_index].shape);
-  result.volumes = shadow_volumes(light, blocker);
-  result.meshes = shadow_meshes(light, blocker, clip_box);
+  result.is_solid = std::holds_alternative<ConvexSolid>(*pair.shape);
+  result.volumes = shadow_volumes(light, *pair.shape);
+  result.meshes = shadow_meshes(light, *pair.shape, clip_box);
   return result;
 }
 
@@ -35,7 +35,7 @@ PlanarPairResult computed_in_plane(const Scene& scene, const ScenePair& pair, co
           static_cast<std::uint32_t>(pair.blocker_index),
           pair.light,
           pair.blocker,
-          *pair.position,
+          pair.position,
           std::move(regions),
           std::move(in_box)};
 }

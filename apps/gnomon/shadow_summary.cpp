@@ -12,14 +12,16 @@ namespace {
 /// With more pairs than this, each gets one line.
 constexpr std::size_t most_blocks = 3;
 
-std::string position_text(const ScenePair& pair) {
-  return pair.position ? std::string(name(*pair.position)) : "-";
-}
-
 std::string extent_text(const VolumeFacts& facts) {
   if (facts.empty) return "empty";
   const std::string extent = facts.bounded ? "bounded" : "unbounded";
   return extent + ", " + counted(facts.components, "component");
+}
+
+/// How the umbra of a solid lies about it.
+std::string pockets_text(const ShadowResult& result, std::size_t pair, std::string_view volume) {
+  if (result.scene->dimension == 2 || !result.pairs[pair].is_solid || volume != "umbra") return {};
+  return ", " + counted(result.pairs[pair].volumes.umbra_pockets, "pocket") + " outside the solid";
 }
 
 std::string planes_text(const ExtremalPlanes& planes) {
@@ -59,20 +61,20 @@ std::string size_unit(const Scene& scene) {
 }
 
 std::string block(const ScenePair& pair, const ShadowResult& result, std::size_t index) {
-  std::string text = pair.light + " / " + pair.blocker + "\n  position   " + position_text(pair) + '\n';
+  std::string text = pair.light + " / " + pair.blocker + "\n  position   " + std::string(name(pair.position)) + '\n';
   if (!pair.supported()) return text + "  left out   " + pair.reason + '\n';
   const TextRow extremal = extremal_row(result, index);
   text += "  " + extremal[0] + std::string(11 - extremal[0].size(), ' ') + extremal[1] + '\n';
   std::vector<TextRow> rows;
   for (const ShadowExtent& extent : shadow_extents(result, index)) {
-    rows.push_back({std::string(extent.name), extent_text(extent.facts),
+    rows.push_back({std::string(extent.name), extent_text(extent.facts) + pockets_text(result, index, extent.name),
                     number_text(extent.size_in_box) + ' ' + size_unit(*result.scene) + " in the box"});
   }
   return text + aligned(rows, 2);
 }
 
 TextRow line(const ScenePair& pair, const ShadowResult& result, std::size_t index) {
-  TextRow row{pair.light, pair.blocker, position_text(pair)};
+  TextRow row{pair.light, pair.blocker, std::string(name(pair.position))};
   if (!pair.supported()) {
     row.emplace_back("left out");
     return row;

@@ -7,6 +7,7 @@
 #include "apps/laws/draw.h"
 #include "apps/laws/pair_generator.h"
 #include "geometry/spatial/polygon_checks.h"
+#include "geometry/spatial/position.h"
 
 namespace gnomon::laws {
 namespace {
@@ -189,6 +190,7 @@ AnyPair draw_any_pair(Domain domain, LightKind light_kind, BlockerKind blocker_k
   const Bend common = draw_bend(domain);
   const Bend of_light = once_in(3) ? draw_bend(domain) : common;
   AnyPair pair{draw_light(light_kind, of_light), draw_blocker(blocker_kind, common), {}};
+  if (!is_supported(pair.light, pair.blocker)) std::get<AreaLight>(pair.light).two_sided = true;
   const Points light = vertices_of(pair.light);
   const Points blocker = vertices_of(pair.blocker);
   for (; points > 0; --points) pair.points.push_back(draw_point(domain, light, blocker));
