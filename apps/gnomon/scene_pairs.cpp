@@ -48,8 +48,9 @@ void judge(const SceneLight& light, const SceneBlocker&, ScenePair& pair) {
   pair.position = pair_position(light.shape, *pair.shape);
   if (is_supported(light.shape, *pair.shape)) return;
   pair.reason =
-      "a one-sided light whose vertices are not exactly coplanar needs the blocker strictly in front of it; "
-      "make the light two_sided, or its vertices coplanar";
+      "the light's vertices are not exactly coplanar, so the blocker has to lie strictly apart from it, and strictly "
+      "in "
+      "front if it is one-sided";
 }
 
 /// In the plane every position is supported.

@@ -190,7 +190,12 @@ AnyPair draw_any_pair(Domain domain, LightKind light_kind, BlockerKind blocker_k
   const Bend common = draw_bend(domain);
   const Bend of_light = once_in(3) ? draw_bend(domain) : common;
   AnyPair pair{draw_light(light_kind, of_light), draw_blocker(blocker_kind, common), {}};
-  if (!is_supported(pair.light, pair.blocker)) std::get<AreaLight>(pair.light).two_sided = true;
+  for (double distance = 1; !is_supported(pair.light, pair.blocker); distance *= 2) {
+    Points vertices = light_points(pair.light);
+    for (Point3& p : vertices) p = moved(p, distance, {1, 2, 5});
+    const bool is_polygon_still = is_polygon(vertices);
+    pair.light = AreaLight{is_polygon_still ? ConvexPolygon::from_points(vertices) : draw_flat(of_light), true};
+  }
   const Points light = vertices_of(pair.light);
   const Points blocker = vertices_of(pair.blocker);
   for (; points > 0; --points) pair.points.push_back(draw_point(domain, light, blocker));
