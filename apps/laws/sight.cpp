@@ -207,4 +207,29 @@ bool is_unlit(const Light& light, const ExactVector& p) {
   });
 }
 
+Region region_behind(const std::vector<Walls>& blockers, const Light& light, const ExactVector& p) {
+  if (is_unlit(light, p)) return Region::unlit;
+  std::vector<Rational> shares;
+  if (const auto* point = std::get_if<PointLight>(&light)) {
+    const ExactVector l = exact(point->position);
+    const auto hides = [&](const Walls& b) {
+      return is_blocked(b, p, l) || std::ranges::all_of(b, [&](const ExactPlane& wall) { return wall.side(p) < 0; });
+    };
+    shares = {Rational(std::ranges::any_of(blockers, hides) ? 0 : 1)};
+  } else if (const auto* sun = std::get_if<DirectionalLight>(&light)) {
+    const ExactVector towards = Rational(-1) * exact(sun->direction);
+    const auto hides = [&](const Walls& b) { return is_blocked_towards(b, p, towards); };
+    shares = {Rational(std::ranges::any_of(blockers, hides) ? 0 : 1)};
+  } else if (const auto* line = std::get_if<LinearLight>(&light)) {
+    shares = {visible_length_share(exact(line->start), exact(line->end), blockers, p)};
+  } else {
+    for (const auto& facet : light_facets(std::get<AreaLight>(light).polygon)) {
+      shares.push_back(visible_area_share(facet, blockers, p));
+    }
+  }
+  if (std::ranges::all_of(shares, [](const Rational& share) { return share == 1; })) return Region::lit;
+  return std::ranges::all_of(shares, [](const Rational& share) { return sign(share) == 0; }) ? Region::umbra
+                                                                                             : Region::penumbra;
+}
+
 }  // namespace gnomon::laws

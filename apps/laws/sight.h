@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "apps/laws/exact.h"
+#include "geometry/region.h"
 #include "geometry/spatial/convex_blocker.h"
 #include "geometry/spatial/light.h"
 
@@ -36,6 +37,9 @@ Rational visible_area_share(const std::vector<ExactVector>& polygon, const std::
 
 /// The flat pieces of an area light: itself, or the triangles of the fan from its first vertex that have an area.
 std::vector<std::vector<ExactVector>> light_facets(const ConvexPolygon& polygon);
+
+/// The region of p behind all blockers together.
+Region region_behind(const std::vector<Walls>& blockers, const Light& light, const ExactVector& p);
 
 /// True if the light shows p its back or its edge, with all of its pieces.
 bool is_unlit(const Light& light, const ExactVector& p);
