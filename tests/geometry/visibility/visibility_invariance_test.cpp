@@ -108,7 +108,7 @@ RC_GTEST_PROP(VisibilityInvariance, TheStartAndSenseOfABlockersVerticesAndOfAFla
   const Visibility before = seen(drawn);
   const auto rotated = [](std::span<const Point3> given) {
     Points points(given.begin(), given.end());
-    std::ranges::rotate(points, points.begin() + draw(0, int(points.size()) - 1));
+    std::rotate(points.begin(), points.begin() + draw(0, int(points.size()) - 1), points.end());
     return points;
   };
   for (ConvexBlocker& blocker : drawn.blockers) {
