@@ -60,7 +60,7 @@ bool is_polygon(const Points& points) {
 
 /// A flat polygon; nudges that leave it no polygon, or not flat, are left out.
 ConvexPolygon draw_flat(const Bend& bend) {
-  const Points points = draw_polygon(once_in(8) ? 64 : 1);
+  const Points points = draw_flat_points(once_in(8) ? 64 : 1);
   const Points bent = with_nudges(bend(points), bend.nudges);
   for (const Points& candidate : {bent, bend(points), points}) {
     if (!is_polygon(candidate)) continue;
@@ -74,7 +74,7 @@ ConvexPolygon draw_flat(const Bend& bend) {
 ConvexPolygon draw_rounded(const Bend& bend) {
   const double scales[] = {0.1, 0.3, 0.7, 1.1};
   const double scale = scales[draw(0, 3)];
-  const Points points = bend(draw_polygon(1));
+  const Points points = bend(draw_flat_points(1));
   Points rounded;
   for (const Point3& p : points) rounded.push_back({p.x * scale, p.y * scale + 0.1, p.z * scale});
   for (const Points& candidate : {rounded, with_nudges(points, 3)}) {

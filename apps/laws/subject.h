@@ -7,6 +7,7 @@
 #include "geometry/planar/region_of.h"
 #include "geometry/planar/regions.h"
 #include "geometry/spatial/shadow_volume.h"
+#include "geometry/visibility/visibility.h"
 
 namespace gnomon::laws {
 
@@ -19,6 +20,7 @@ struct Subject {
   std::function<std::array<planar::ExtremalLine, 4>(const planar::Pair&)> planar_extremal_lines =
       planar::extremal_lines;
   std::function<planar::ShadowRegions(const planar::Pair&)> planar_regions = planar::shadow_regions;
+  std::function<Visibility(const Light&, const Obstacles&, const Point3&)> visibility = gnomon::exact_visibility;
   std::function<Region(const planar::Pair&, const Point2&)> planar_region_of = planar::region_of;
 };
 
