@@ -6,7 +6,7 @@ include(CMakePackageConfigHelpers)
 set(gnomon_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/gnomon)
 
 install(TARGETS gnomon)
-install(TARGETS gnomon_geometry gnomon_scene EXPORT gnomonTargets)
+install(TARGETS gnomon_geometry gnomon_scene gnomon_shading EXPORT gnomonTargets)
 install(TARGETS gnomon_viz EXPORT gnomonVizTargets)
 foreach(header IN ITEMS
     geometry/contact.h
@@ -30,6 +30,10 @@ foreach(header IN ITEMS
     geometry/spatial/position.h
     geometry/spatial/shadow_volume.h
     geometry/spatial/volume_mesh.h
+    geometry/visibility/blocker_set.h
+    geometry/visibility/fast_visibility.h
+    shading/irradiance.h
+    shading/lambert.h
     viz/display.h
     viz/picture.h
     viz/shadow_result.h
