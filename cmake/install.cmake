@@ -20,8 +20,10 @@ foreach(header IN ITEMS
     geometry/planar/regions_in_box.h
     geometry/point.h
     geometry/region.h
+    geometry/scene/convex_parts.h
     geometry/scene/scene.h
     geometry/scene/scene_reader.h
+    geometry/spatial/closed_surface.h
     geometry/spatial/convex_blocker.h
     geometry/spatial/convex_polygon.h
     geometry/spatial/convex_solid.h
@@ -32,6 +34,7 @@ foreach(header IN ITEMS
     geometry/spatial/volume_mesh.h
     geometry/visibility/blocker_set.h
     geometry/visibility/fast_visibility.h
+    geometry/visibility/visibility.h
     shading/irradiance.h
     shading/lambert.h
     viz/display.h
