@@ -85,7 +85,7 @@ class ArcSum {
 /// each times at most 1.21 sin(60 degrees). Together less than 26 u.
 void ArcSum::add_arc(const Vector& a, const Vector& b, const BoundaryPiece& piece, double ends_error) {
   const double inverse = 1 / std::sqrt(dot(a, a) * dot(b, b));
-  const double x = std::fmax(0.5 - 0.5 * inverse * dot(a, b), 0);
+  const double x = std::max(0.5 - 0.5 * inverse * dot(a, b), 0.0);
   if (!(x <= 0.25)) return add_wide_arc(a, b, piece, ends_error);
   const double sine = inverse * dot(horizon_.normal, cross(a, b));
   add_term(sine * arc_factor(x), 1.25 * ends_error + 26 * unit);

@@ -29,6 +29,7 @@ class FastVisibility::Work {
   LightPlane plane_from(const Point3& apex, bool reversed) const;
   void walk(const Point3& apex);
   void append_stretches_inside(BoundaryWalk& walk, const Outline& outline);
+  void find_neighbours(const Outline& outline);
   void append_visible(BoundaryWalk& walk, const Piece& piece);
   LightSeen bounded(Region region, double fraction, double bound);
   LightSeen visible_part();
@@ -48,6 +49,7 @@ class FastVisibility::Work {
   std::vector<std::uint32_t> candidates_;
   std::vector<Piece> inside_;   ///< of the blockers' edges, inside the light
   std::vector<Piece> visible_;  ///< what is not covered of those and of the light's edges
+  std::vector<const Outline*> neighbours_;
   std::vector<Stretch> covers_;
   std::vector<BoundaryPiece> boundary_;
 };
@@ -76,7 +78,7 @@ LightPlane base_plane(std::span<const Point3> corners) {
 }
 
 bool in_range(const Point3& p) {
-  return std::fmax(std::fmax(std::fabs(p.x), std::fabs(p.y)), std::fabs(p.z)) <= largest;
+  return std::max(std::max(std::fabs(p.x), std::fabs(p.y)), std::fabs(p.z)) <= largest;
 }
 
 SightDirection directed(const Plane& plane, bool reversed) {
@@ -163,17 +165,28 @@ void FastVisibility::Work::append_stretches_inside(BoundaryWalk& walk, const Out
   }
 }
 
+/// Replaces the neighbours by the blockers' outlines whose boxes meet the outline's box.
+void FastVisibility::Work::find_neighbours(const Outline& outline) {
+  const std::size_t count = outlines_.list.size();
+  neighbours_.resize(count);
+  std::size_t found = 0;
+  const FlatBox box = outline.box;
+  for (std::size_t i = 1; i < count; ++i) {
+    const Outline& other = outlines_.list[i];
+    neighbours_[found] = &other;
+    found += box.meets(other.box) ? 1 : 0;
+  }
+  neighbours_.resize(found);
+}
+
 /// Where edges of two blockers run along each other, with both blockers on one side, the first blocker's counts; with
 /// the blockers on two sides neither does. A light's edge is covered by what lies on its inner side.
 void FastVisibility::Work::append_visible(BoundaryWalk& walk, const Piece& piece) {
   covers_.clear();
-  const Outline& light = outlines_.list.front();
-  FlatBox box;
-  for (const Ray* ray : {piece.edge.start, piece.edge.end}) {
-    box.include(outlines_.boxes[static_cast<std::size_t>(ray - outlines_.rays.data())]);
-  }
-  for (const Outline* other = &light + 1; other != &light + outlines_.list.size(); ++other) {
-    if (other == piece.outline || (piece.edge.ahead && other->ahead && !box.meets(other->box))) continue;
+  FlatBox box = outlines_.boxes[static_cast<std::size_t>(piece.edge.start - outlines_.rays.data())];
+  box.include(outlines_.boxes[static_cast<std::size_t>(piece.edge.end - outlines_.rays.data())]);
+  for (const Outline* other : neighbours_) {
+    if (other == piece.outline || !box.meets(other->box)) continue;
     const bool first = other < piece.outline;
     const Alongside alongside = piece.of_light ? Alongside::same_side
                                 : first        ? Alongside::either_side
@@ -197,11 +210,17 @@ void FastVisibility::Work::walk(const Point3& apex) {
   for (const Outline* outline = &light + 1; outline != &light + outlines_.list.size(); ++outline) {
     append_stretches_inside(walk, *outline);
   }
+  find_neighbours(light);
   for (std::uint32_t k = 0; k < light.count; ++k) {
     const Piece whole{edge_of(outlines_, light, k), {{Station::Kind::start}, {Station::Kind::end}}, &light, true};
     append_visible(walk, whole);
   }
-  for (const Piece& piece : inside_) append_visible(walk, piece);
+  const Outline* last = &light;
+  for (const Piece& piece : inside_) {
+    if (piece.outline != last) find_neighbours(*piece.outline);
+    last = piece.outline;
+    append_visible(walk, piece);
+  }
 }
 
 LightSeen FastVisibility::Work::bounded(Region region, double fraction, double bound) {
@@ -219,7 +238,8 @@ LightSeen FastVisibility::Work::visible_part() {
   const double whole = light_area_.doubled;
   const double fraction = std::fabs(area.doubled) / whole;
   const double bound = 1.01 * (area.error + light_area_.error) / whole + 4 * unit;
-  return bounded(Region::penumbra, fraction >= 0 ? std::fmin(fraction, 1) : 0.5, bound >= 0 ? std::fmin(bound, 1) : 1);
+  return bounded(Region::penumbra, fraction >= 0 ? std::min(fraction, 1.0) : 0.5,
+                 bound >= 0 ? std::min(bound, 1.0) : 1);
 }
 
 std::optional<LightSeen> FastVisibility::Work::seen_from(const Point3& point) {

@@ -19,7 +19,7 @@ SightDirection direction_of(const Ray& ray) {
 FlatPoint difference(const FlatPoint& p, const FlatPoint& origin) {
   const double u = p.u - origin.u;
   const double v = p.v - origin.v;
-  return {u, v, p.error + origin.error + 2 * unit * std::fmax(std::fabs(u), std::fabs(v))};
+  return {u, v, p.error + origin.error + 2 * unit * std::max(std::fabs(u), std::fabs(v))};
 }
 
 }  // namespace
@@ -72,8 +72,8 @@ FlatPoint AreaSum::from_origin(const Edge& edge, const Station& station, bool of
 void AreaSum::add(const Piece& piece) {
   const FlatPoint p = from_origin(piece.edge, piece.stretch.from, piece.of_light);
   const FlatPoint q = from_origin(piece.edge, piece.stretch.to, piece.of_light);
-  const double p_size = std::fmax(std::fabs(p.u), std::fabs(p.v));
-  const double q_size = std::fmax(std::fabs(q.u), std::fabs(q.v));
+  const double p_size = std::max(std::fabs(p.u), std::fabs(p.v));
+  const double q_size = std::max(std::fabs(q.u), std::fabs(q.v));
   const double term = p.u * q.v - p.v * q.u;
   sum_ += piece.of_light ? term : -term;
   error_ += 2 * (p_size * q.error + q_size * p.error + p.error * q.error) + 4 * unit * p_size * q_size +

@@ -2,6 +2,8 @@
 
 /// Lights and blockers as seen from the apex: convex outlines of rays and planes. Private to this folder.
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -18,13 +20,19 @@ struct FlatBox {
   double high_v = -HUGE_VAL;
 
   void include(const FlatBox& other) {
-    low_u = std::fmin(low_u, other.low_u);
-    low_v = std::fmin(low_v, other.low_v);
-    high_u = std::fmax(high_u, other.high_u);
-    high_v = std::fmax(high_v, other.high_v);
+    low_u = std::min(low_u, other.low_u);
+    low_v = std::min(low_v, other.low_v);
+    high_u = std::max(high_u, other.high_u);
+    high_v = std::max(high_v, other.high_v);
+  }
+  void cut(const FlatBox& other) {
+    low_u = std::max(low_u, other.low_u);
+    low_v = std::max(low_v, other.low_v);
+    high_u = std::min(high_u, other.high_u);
+    high_v = std::min(high_v, other.high_v);
   }
   bool meets(const FlatBox& other) const {
-    return low_u <= other.high_u && other.low_u <= high_u && low_v <= other.high_v && other.low_v <= high_v;
+    return (low_u <= other.high_u) & (other.low_u <= high_u) & (low_v <= other.high_v) & (other.low_v <= high_v);
   }
 };
 
@@ -37,7 +45,7 @@ struct Outline {
   std::uint32_t count = 0;
   std::uint32_t element = 0;  ///< index of the blocker
   bool ahead = true;          ///< every ray certainly runs towards the light's plane, so that box is finite
-  FlatBox box;
+  FlatBox box;                ///< cut to the light's, which is all that matters
 };
 
 /// Outlines in one piece of memory that is used again for the next apex.
@@ -97,7 +105,7 @@ inline FlatPoint meeting_point(const LightPlane& plane, const Vector& direction,
   const double relative = 1.5 * depth_error / depth + 1.5 * plane.height_error / plane.height + 5 * unit;
   const double u = scale * coordinate(direction, plane.u);
   const double v = scale * coordinate(direction, plane.v);
-  return {u, v, 1.01 * relative * std::fmax(std::fabs(u), std::fabs(v)) + 2 * scale * error};
+  return {u, v, 1.01 * relative * std::max(std::fabs(u), std::fabs(v)) + 2 * scale * error};
 }
 
 }  // namespace gnomon::sight

@@ -157,6 +157,7 @@ Seen OutlineBuilder::finished(std::uint32_t element) {
     outlines_.boxes.push_back(point_box(ray, outline.ahead));
     outline.box.include(outlines_.boxes.back());
   }
+  if (!outlines_.list.empty()) outline.box.cut(outlines_.list.front().box);
   outlines_.list.push_back(outline);
   return Seen::outlined;
 }

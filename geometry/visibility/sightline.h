@@ -2,6 +2,7 @@
 
 /// Rays and planes through the point that looks, in doubles, with bounds that certify signs. Private to this folder.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -40,7 +41,7 @@ inline Vector cross(const Vector& a, const Vector& b) {
 
 /// The largest absolute coordinate.
 inline double size_of(const Vector& a) {
-  return std::fmax(std::fmax(std::fabs(a.x), std::fabs(a.y)), std::fabs(a.z));
+  return std::max(std::max(std::fabs(a.x), std::fabs(a.y)), std::fabs(a.z));
 }
 
 /// The ray from the apex through an input point.

@@ -32,9 +32,8 @@ Point3 cross(const Point3& a, const Point3& b) {
 
 ConvexPolygon triangle(Draws& draws, double radius) {
   const double z = draws.between(1, 3);
-  const double reach = 1 - z / 8;
-  const double x = draws.between(-reach, reach);
-  const double y = draws.between(-reach, reach);
+  const double x = draws.between(-1, 1);
+  const double y = draws.between(-1, 1);
   const Point3 u = draws.direction();
   Point3 v = cross(u, draws.direction());
   const double length = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);

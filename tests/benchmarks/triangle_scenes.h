@@ -15,8 +15,8 @@ struct TriangleScene {
   std::vector<Point3> points;  ///< in [-1,1]² at height 0; the receiver's normal is (0, 0, 1)
 };
 
-/// The scene with n triangles of circumradius 0.9 / sqrt(n) + 0.02, each in a random plane, their centres between the
-/// heights 1 and 3 and spread evenly over what lies between points and light at that height. Always the same for an n.
+/// The scene with n triangles of circumradius 0.9 / sqrt(n) + 0.02, each in a random plane, their centres spread
+/// evenly over [-1,1]² and the heights from 1 to 3. Always the same for an n.
 TriangleScene triangle_scene(std::size_t n);
 
 }  // namespace gnomon::benchmarks
