@@ -34,6 +34,7 @@ foreach(header IN ITEMS
     geometry/spatial/volume_mesh.h
     geometry/visibility/blocker_set.h
     geometry/visibility/fast_visibility.h
+    geometry/visibility/light_visibility.h
     geometry/visibility/visibility.h
     shading/irradiance.h
     shading/lambert.h

@@ -1,10 +1,13 @@
 #include "apps/gnomon/region_finder.h"
 
+#include <tbb/enumerable_thread_specific.h>
+
 #include <memory>
 
 #include "apps/gnomon/commands.h"
 #include "apps/gnomon/element_choice.h"
 #include "geometry/scene/convex_parts.h"
+#include "geometry/visibility/light_visibility.h"
 
 namespace gnomon {
 namespace {
@@ -33,10 +36,15 @@ RegionFinder spatial_finder(const Scene& scene, const std::string& light) {
   const std::vector<const SceneLight*> lights = chosen_lights(scene.lights, light);
   RegionFinder finder;
   for (const SceneLight* l : lights) finder.lights.push_back(l->name);
-  const auto obstacles = std::make_shared<const Obstacles>(obstacles_of(scene.blockers));
-  finder.at = [lights, obstacles](const std::array<double, 3>& p) {
+  const PreparedObstacles obstacles(obstacles_of(scene.blockers));
+  const auto per_thread = std::make_shared<tbb::enumerable_thread_specific<std::vector<LightVisibility>>>([=] {
+    std::vector<LightVisibility> result;
+    for (const SceneLight* l : lights) result.emplace_back(l->shape, obstacles);
+    return result;
+  });
+  finder.at = [per_thread](const std::array<double, 3>& p) {
     std::vector<Visibility> seen;
-    for (const SceneLight* l : lights) seen.push_back(exact_visibility(l->shape, *obstacles, {p[0], p[1], p[2]}));
+    for (LightVisibility& light_seen : per_thread->local()) seen.push_back(light_seen.at({p[0], p[1], p[2]}));
     return seen;
   };
   return finder;

@@ -1,12 +1,11 @@
-#include <algorithm>
-#include <atomic>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
 #include <filesystem>
 #include <fstream>
-#include <future>
 #include <iostream>
 #include <optional>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -62,20 +61,12 @@ std::vector<JudgedRow> next_rows(PointTable& table) {
   return rows;
 }
 
-void judge(std::vector<JudgedRow>& rows, const RegionFinder& finder, unsigned threads) {
-  std::atomic<std::size_t> next = 0;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < rows.size(); i = next++) {
+void judge(std::vector<JudgedRow>& rows, const RegionFinder& finder, tbb::task_arena& threads) {
+  threads.execute([&] {
+    tbb::parallel_for(std::size_t{0}, rows.size(), [&](std::size_t i) {
       if (const auto* row = std::get_if<PointRow>(&rows[i].row)) rows[i].seen = finder.at(row->coordinates);
-    }
-  };
-  if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
-  // Helpers beside this thread; a future hands on what its helper throws.
-  std::vector<std::future<void>> helpers;
-  const std::size_t helper_count = std::min<std::size_t>(threads, rows.size());
-  for (std::size_t i = 1; i < helper_count; ++i) helpers.push_back(std::async(std::launch::async, work));
-  work();
-  for (std::future<void>& helper : helpers) helper.get();
+    });
+  });
 }
 
 /// Where the results go: any of a CSV file or stdout, and a JSON file or stdout.
@@ -112,9 +103,10 @@ ExitCode write_regions(const RegionsOptions& options, const Scene& scene, std::i
   PointTable table(stream, file, std::size_t(scene.dimension));
   Outputs outputs(options, scene, table, finder.lights);
   RegionCounts counts(finder.lights);
+  tbb::task_arena threads(options.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(options.threads));
   if (finder.lights.empty()) print_warning("the scene has no light");
   for (std::vector<JudgedRow> rows = next_rows(table); !rows.empty(); rows = next_rows(table)) {
-    judge(rows, finder, options.threads);
+    judge(rows, finder, threads);
     for (const JudgedRow& judged : rows) {
       counts.add(judged);
       outputs.add(judged);
