@@ -38,6 +38,7 @@ foreach(header IN ITEMS
     geometry/visibility/visibility.h
     shading/irradiance.h
     shading/lambert.h
+    shading/light_irradiance.h
     viz/display.h
     viz/picture.h
     viz/shadow_result.h

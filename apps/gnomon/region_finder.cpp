@@ -6,37 +6,17 @@
 
 #include "apps/gnomon/commands.h"
 #include "apps/gnomon/element_choice.h"
-#include "geometry/scene/convex_parts.h"
+#include "apps/gnomon/scene_obstacles.h"
 #include "geometry/visibility/light_visibility.h"
 
 namespace gnomon {
 namespace {
 
-/// The lights of that name, or all of them.
-template <class SomeLight>
-std::vector<const SomeLight*> chosen_lights(const std::vector<SomeLight>& lights, const std::string& name) {
-  require_name("--light", "light", name, lights);
-  std::vector<const SomeLight*> chosen;
-  for (const SomeLight& light : lights) {
-    if (name.empty() || light.name == name) chosen.push_back(&light);
-  }
-  return chosen;
-}
-
-Obstacles obstacles_of(const std::vector<SceneBlocker>& blockers) {
-  Obstacles obstacles;
-  for (const SceneBlocker& blocker : blockers) {
-    for (ConvexPart& part : convex_parts(blocker)) obstacles.blockers.push_back(std::move(part.shape));
-    if (auto space = enclosed_space(blocker)) obstacles.enclosures.push_back(std::move(*space));
-  }
-  return obstacles;
-}
-
 RegionFinder spatial_finder(const Scene& scene, const std::string& light) {
   const std::vector<const SceneLight*> lights = chosen_lights(scene.lights, light);
   RegionFinder finder;
   for (const SceneLight* l : lights) finder.lights.push_back(l->name);
-  const PreparedObstacles obstacles(obstacles_of(scene.blockers));
+  const PreparedObstacles obstacles = scene_obstacles(scene);
   const auto per_thread = std::make_shared<tbb::enumerable_thread_specific<std::vector<LightVisibility>>>([=] {
     std::vector<LightVisibility> result;
     for (const SceneLight* l : lights) result.emplace_back(l->shape, obstacles);

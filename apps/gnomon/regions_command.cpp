@@ -1,8 +1,3 @@
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -13,6 +8,7 @@
 #include "apps/gnomon/commands.h"
 #include "apps/gnomon/console.h"
 #include "apps/gnomon/output_file.h"
+#include "apps/gnomon/point_batches.h"
 #include "apps/gnomon/point_table.h"
 #include "apps/gnomon/region_finder.h"
 #include "apps/gnomon/regions_output.h"
@@ -21,9 +17,6 @@
 
 namespace gnomon {
 namespace {
-
-/// As many rows are held in memory at a time.
-constexpr std::size_t batch_size = 1024;
 
 struct RegionsOptions : CommonOptions {
   std::string at;
@@ -50,23 +43,13 @@ void add_options(CLI::App& app, RegionsOptions& options) {
       "  gnomon regions examples/cornell_box.scene.json --at examples/points.csv --light ceiling_lamp --json -\n");
 }
 
-/// The next rows of the table, at most a batch; none at the end.
-std::vector<JudgedRow> next_rows(PointTable& table) {
+std::vector<JudgedRow> judged_batch(PointTable& table, const RegionFinder& finder, tbb::task_arena& threads) {
   std::vector<JudgedRow> rows;
-  while (rows.size() < batch_size) {
-    auto row = table.next();
-    if (!row) break;
-    rows.push_back({std::move(*row), {}});
-  }
-  return rows;
-}
-
-void judge(std::vector<JudgedRow>& rows, const RegionFinder& finder, tbb::task_arena& threads) {
-  threads.execute([&] {
-    tbb::parallel_for(std::size_t{0}, rows.size(), [&](std::size_t i) {
-      if (const auto* row = std::get_if<PointRow>(&rows[i].row)) rows[i].seen = finder.at(row->coordinates);
-    });
+  for (TableRow& row : next_rows(table)) rows.push_back({std::move(row), {}});
+  for_all(rows.size(), threads, [&](std::size_t i) {
+    if (const auto* row = std::get_if<PointRow>(&rows[i].row)) rows[i].seen = finder.at(row->coordinates);
   });
+  return rows;
 }
 
 /// Where the results go: any of a CSV file or stdout, and a JSON file or stdout.
@@ -100,13 +83,12 @@ struct Outputs {
 ExitCode write_regions(const RegionsOptions& options, const Scene& scene, std::istream& stream,
                        const std::string& file) {
   const RegionFinder finder = region_finder(scene, options.light);
-  PointTable table(stream, file, std::size_t(scene.dimension));
+  PointTable table(stream, file, scene.dimension == 2 ? TableColumns::planar_points : TableColumns::points);
   Outputs outputs(options, scene, table, finder.lights);
   RegionCounts counts(finder.lights);
-  tbb::task_arena threads(options.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(options.threads));
+  tbb::task_arena threads(arena_size(options.threads));
   if (finder.lights.empty()) print_warning("the scene has no light");
-  for (std::vector<JudgedRow> rows = next_rows(table); !rows.empty(); rows = next_rows(table)) {
-    judge(rows, finder, threads);
+  for (auto rows = judged_batch(table, finder, threads); !rows.empty(); rows = judged_batch(table, finder, threads)) {
     for (const JudgedRow& judged : rows) {
       counts.add(judged);
       outputs.add(judged);
@@ -132,11 +114,9 @@ ExitCode regions_command(Arguments arguments) {
   add_options(app, options);
   if (!parse_arguments(app, arguments)) return ExitCode::done;
   const Scene scene = read_scene(options.scene);
-  if (options.at == "-") return write_regions(options, scene, std::cin, "stdin");
-  if (std::filesystem::is_directory(options.at)) throw SceneError(options.at + ": found a folder, expected a CSV file");
-  std::ifstream stream(options.at, std::ios::binary);
-  if (!stream) throw SceneError(options.at + ": cannot be read, expected a CSV file of points");
-  return write_regions(options, scene, stream, options.at);
+  return with_points(options.at, [&](std::istream& stream, const std::string& file) {
+    return write_regions(options, scene, stream, file);
+  });
 }
 
 }  // namespace gnomon
