@@ -40,6 +40,7 @@ foreach(header IN ITEMS
     shading/lambert.h
     shading/light_irradiance.h
     viz/display.h
+    viz/grid_file.h
     viz/picture.h
     viz/shadow_result.h
     viz/shadow_writer.h)

@@ -26,13 +26,14 @@ constexpr std::array commands{
     Command{"shadow", "extremal planes and occlusion, umbra and penumbra volumes, for ParaView", shadow_command},
     Command{"check", "validates a scene and prints what was recognised", check_command},
     Command{"regions", "tells region and visible fraction of every light at given points", regions_command},
+    Command{"grid", "tells the same for the points of a grid, as VTK image data", grid_command},
     Command{"irradiance", "tells the irradiance that every light gives to given points and normals",
             irradiance_command},
     Command{"render", "makes a picture of a scene or of a result folder", render_command},
 };
 
 /// Words of the documented command language that this version does not know how to obey.
-constexpr std::array<std::string_view, 5> later_commands{"grid", "discontinuities", "receivers", "theorems", "report"};
+constexpr std::array<std::string_view, 4> later_commands{"discontinuities", "receivers", "theorems", "report"};
 
 std::string command_list() {
   std::string list;
