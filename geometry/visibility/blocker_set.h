@@ -12,7 +12,7 @@ namespace gnomon {
 /// boxes over them.
 ///
 /// Blocker i is the i-th of those given. Copies share their content; any number of threads may read it.
-/// Cost: O(n log n); about 300 bytes for a triangle.
+/// Cost: O(n log n); about 400 bytes for a triangle.
 class BlockerSet {
  public:
   explicit BlockerSet(std::span<const ConvexBlocker> blockers);

@@ -224,17 +224,14 @@ void FastVisibility::Work::walk(const Point3& apex) {
 }
 
 LightSeen FastVisibility::Work::bounded(Region region, double fraction, double bound) {
-  for (const Piece& piece : visible_) boundary_.push_back(boundary_piece(piece));
   const Vector& n = plane_.normal;
   return {region, fraction, bound, boundary_, {n.x, n.y, n.z, root_of_three * plane_.error}};
 }
 
 LightSeen FastVisibility::Work::visible_part() {
-  const FlatArea area = [&] {
-    AreaSum sum(plane_, outlines_.rays.front());
-    for (const Piece& piece : visible_) sum.add(piece);
-    return sum.total();
-  }();
+  AreaSum sum(plane_, outlines_.rays.front());
+  for (std::size_t i = 0; i < visible_.size(); ++i) sum.add(visible_[i], boundary_[i]);
+  const FlatArea area = sum.total();
   const double whole = light_area_.doubled;
   const double fraction = std::fabs(area.doubled) / whole;
   const double bound = 1.01 * (area.error + light_area_.error) / whole + 4 * unit;
@@ -250,6 +247,7 @@ std::optional<LightSeen> FastVisibility::Work::seen_from(const Point3& point) {
   if (!gather(point, front > 0)) return std::nullopt;
   if (covered_) return LightSeen{Region::umbra, 0, 0, {}, {}};
   walk(point);
+  for (const Piece& piece : visible_) boundary_.push_back(boundary_piece(piece));
   if (inside_.empty()) return bounded(Region::lit, 1, 0);
   if (visible_.empty()) return LightSeen{Region::umbra, 0, 0, {}, {}};
   return visible_part();

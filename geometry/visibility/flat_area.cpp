@@ -56,26 +56,20 @@ AreaSum::AreaSum(const LightPlane& plane, const Ray& origin)
       origin_{coordinate(origin.direction, plane.u), coordinate(origin.direction, plane.v), unit * origin.size} {}
 
 /// The corners of the light lie on its plane: there is nothing to intersect.
-FlatPoint AreaSum::from_origin(const Edge& edge, const Station& station, bool of_light) const {
-  if (of_light && station.kind != Kind::inner) {
-    const Ray& ray = station.kind == Kind::start ? *edge.start : *edge.end;
-    const FlatPoint corner{coordinate(ray.direction, plane_.u), coordinate(ray.direction, plane_.v), unit * ray.size};
-    return difference(corner, origin_);
-  }
-  const SightDirection d = direction_of(edge, station);
-  const Vector direction{d.x, d.y, d.z};
-  return difference(meeting_point(plane_, direction, size_of(direction), d.error), origin_);
+FlatPoint AreaSum::from_origin(const SightDirection& direction, bool is_corner) const {
+  const Vector d{direction.x, direction.y, direction.z};
+  if (!is_corner) return difference(meeting_point(plane_, d, size_of(d), direction.error), origin_);
+  return difference({coordinate(d, plane_.u), coordinate(d, plane_.v), direction.error}, origin_);
 }
 
 /// Bound. With errors e and f of the two points, the product errs by 2 (|p| f + e |q| + e f) and 3 roundings; the sum
 /// by one rounding of what it is.
-void AreaSum::add(const Piece& piece) {
-  const FlatPoint p = from_origin(piece.edge, piece.stretch.from, piece.of_light);
-  const FlatPoint q = from_origin(piece.edge, piece.stretch.to, piece.of_light);
+void AreaSum::add(const Piece& piece, const BoundaryPiece& made) {
+  const FlatPoint p = from_origin(made.start, piece.of_light && piece.stretch.from.kind != Kind::inner);
+  const FlatPoint q = from_origin(made.end, piece.of_light && piece.stretch.to.kind != Kind::inner);
   const double p_size = std::max(std::fabs(p.u), std::fabs(p.v));
   const double q_size = std::max(std::fabs(q.u), std::fabs(q.v));
-  const double term = p.u * q.v - p.v * q.u;
-  sum_ += piece.of_light ? term : -term;
+  sum_ += p.u * q.v - p.v * q.u;
   error_ += 2 * (p_size * q.error + q_size * p.error + p.error * q.error) + 4 * unit * p_size * q_size +
             unit * std::fabs(sum_) + tiny;
 }

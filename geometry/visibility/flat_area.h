@@ -26,14 +26,14 @@ class AreaSum {
  public:
   AreaSum(const LightPlane& plane, const Ray& origin);
 
-  /// Takes in a piece; the region lies left of it.
-  void add(const Piece& piece);
+  /// Takes in a piece and what was made of it; the region lies left of it.
+  void add(const Piece& piece, const BoundaryPiece& made);
 
   /// Exactness: the error bound covers all roundings, and is infinite or no number where a bound is out of reach.
   FlatArea total() const { return {sum_, error_ * (1 + 64 * unit)}; }
 
  private:
-  FlatPoint from_origin(const Edge& edge, const Station& station, bool of_light) const;
+  FlatPoint from_origin(const SightDirection& direction, bool is_corner) const;
 
   const LightPlane& plane_;
   FlatPoint origin_;
