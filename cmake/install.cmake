@@ -6,7 +6,7 @@ include(CMakePackageConfigHelpers)
 set(gnomon_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/gnomon)
 
 install(TARGETS gnomon)
-install(TARGETS gnomon_geometry gnomon_scene EXPORT gnomonTargets)
+install(TARGETS gnomon_geometry gnomon_scene gnomon_shading EXPORT gnomonTargets)
 install(TARGETS gnomon_viz EXPORT gnomonVizTargets)
 foreach(header IN ITEMS
     geometry/contact.h
@@ -32,8 +32,15 @@ foreach(header IN ITEMS
     geometry/spatial/position.h
     geometry/spatial/shadow_volume.h
     geometry/spatial/volume_mesh.h
+    geometry/visibility/blocker_set.h
+    geometry/visibility/fast_visibility.h
+    geometry/visibility/light_visibility.h
     geometry/visibility/visibility.h
+    shading/irradiance.h
+    shading/lambert.h
+    shading/light_irradiance.h
     viz/display.h
+    viz/grid_file.h
     viz/picture.h
     viz/shadow_result.h
     viz/shadow_writer.h)
