@@ -14,10 +14,12 @@ foreach(header IN ITEMS
     geometry/exact_number.h
     geometry/indices.h
     geometry/planar/extremal_lines.h
+    geometry/planar/flatland.h
     geometry/planar/pair.h
     geometry/planar/region_of.h
     geometry/planar/regions.h
     geometry/planar/regions_in_box.h
+    geometry/planar/sight.h
     geometry/point.h
     geometry/region.h
     geometry/scene/scene.h
