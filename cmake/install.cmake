@@ -16,6 +16,7 @@ foreach(header IN ITEMS
     geometry/planar/extremal_lines.h
     geometry/planar/flatland.h
     geometry/planar/pair.h
+    geometry/planar/partition.h
     geometry/planar/region_of.h
     geometry/planar/regions.h
     geometry/planar/regions_in_box.h

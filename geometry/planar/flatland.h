@@ -52,7 +52,7 @@ enum class EventPointKind : std::uint8_t {
 };
 
 /// A point named by input elements. What does not apply is 0.
-/// Degenerate: ends of blockers in one place bear the name of the first.
+/// Degenerate: ends of blockers in one place bear the name of the first, a crossing that of what lies in its place.
 struct EventPoint {
   EventPointKind kind = EventPointKind::light_end;
   std::uint32_t element = 0;

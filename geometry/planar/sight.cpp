@@ -31,12 +31,35 @@ std::vector<std::array<EventPoint, 2>> canonical_names(const std::vector<Blocker
 
 }  // namespace
 
+/// What meets the light's line, each place with the name that comes first.
+class Sight::CrossingNames {
+ public:
+  explicit CrossingNames(const Sight& sight) {
+    const auto light = sight.flatland_.light();
+    const auto& blockers = sight.flatland_.blockers();
+    for (std::uint32_t i = 0; i < blockers.size(); ++i) {
+      for (const std::uint32_t end : {0U, 1U}) {
+        if (orientation(light[0], light[1], blockers[i][end]) != 0) continue;
+        names_.try_emplace(place_along(light, exact(blockers[i][end])), sight.names_[i][end]);
+      }
+    }
+  }
+
+  const EventPoint& name(const Rational& place, const EventPoint& crossing) {
+    return names_.try_emplace(place, crossing).first->second;
+  }
+
+ private:
+  std::map<Rational, EventPoint> names_;
+};
+
 Sight::Sight(Flatland flatland) : flatland_(std::move(flatland)), names_(canonical_names(flatland_.blockers())) {
   if (flatland_.has_point_light()) return;
-  for (std::uint32_t i = 0; i < flatland_.blockers().size(); ++i) add_pieces(i);
+  CrossingNames names(*this);
+  for (std::uint32_t i = 0; i < flatland_.blockers().size(); ++i) add_pieces(i, names);
 }
 
-void Sight::add_pieces(std::uint32_t blocker) {
+void Sight::add_pieces(std::uint32_t blocker, CrossingNames& names) {
   const auto light = flatland_.light();
   const BlockerSegment& ends = flatland_.blockers()[blocker];
   const int at_0 = orientation(light[0], light[1], ends[0]);
@@ -46,8 +69,8 @@ void Sight::add_pieces(std::uint32_t blocker) {
     auto& pieces = pieces_[side > 0 ? 0 : 1];
     if (at_0 != side && at_1 != side) continue;
     Piece piece{end_of(blocker, 0, side), end_of(blocker, 1, side)};
-    if (at_0 == -side) piece[0] = crossing_of(blocker, 0);
-    if (at_1 == -side) piece[1] = crossing_of(blocker, 1);
+    if (at_0 == -side) piece[0] = crossing_of(blocker, 0, names);
+    if (at_1 == -side) piece[1] = crossing_of(blocker, 1, names);
     pieces.push_back(piece);
   }
 }
@@ -55,7 +78,7 @@ void Sight::add_pieces(std::uint32_t blocker) {
 Sight::End Sight::end_of(std::uint32_t blocker, std::uint32_t end, double side) const {
   const auto light = flatland_.light();
   const Point2& p = flatland_.blockers()[blocker][end];
-  End result{p, names_[blocker][end], p.x - light[0].x, p.y - light[0].y};
+  End result{p, names_[blocker][end], false, p.x - light[0].x, p.y - light[0].y};
   if (orientation(light[0], light[1], p) == 0) return result;
   const double up = (light[1].x - light[0].x) * result.y;
   const double down = (light[1].y - light[0].y) * result.x;
@@ -64,10 +87,11 @@ Sight::End Sight::end_of(std::uint32_t blocker, std::uint32_t end, double side) 
   return result;
 }
 
-Sight::End Sight::crossing_of(std::uint32_t blocker, std::uint32_t below) const {
+Sight::End Sight::crossing_of(std::uint32_t blocker, std::uint32_t below, CrossingNames& names) const {
   const BlockerSegment& ends = flatland_.blockers()[blocker];
-  End result{ends[below], {EventPointKind::crossing, blocker, 0}};
-  const double t = nearest_double(crossing_place(flatland_.light(), ends));
+  const Rational place = crossing_place(flatland_.light(), ends);
+  End result{ends[below], names.name(place, {EventPointKind::crossing, blocker, 0}), true};
+  const double t = nearest_double(place);
   const double error = rounding_error(t);
   result.t = {t - error, t + error};
   return result;

@@ -37,8 +37,6 @@ struct VisibleFraction {
 
 VisibleFraction visible_fraction(const VisibleLight& seen);
 
-struct Viewpoint;
-
 /// The light as seen from any point: what the questions below share, prepared once.
 ///
 /// Definition: a point is blocked from a point of the light if the open segment between them meets a blocker.
@@ -68,6 +66,7 @@ class Sight {
   struct End {
     Point2 point;  ///< the blocker's end; of a crossing, the end beyond the light's line
     EventPoint name;
+    bool is_crossing = false;
     double x = 0;
     double y = 0;
     double height = 0;
@@ -75,13 +74,15 @@ class Sight {
     std::array<double, 2> t{};  ///< of a crossing: bounds of its place along the light
   };
 
+  class CrossingNames;
+
   /// The part of a blocker on one side of the light's line. The blocker runs from the first end's point to the
   /// second's.
   using Piece = std::array<End, 2>;
 
-  void add_pieces(std::uint32_t blocker);
+  void add_pieces(std::uint32_t blocker, CrossingNames& names);
   End end_of(std::uint32_t blocker, std::uint32_t end, double side) const;
-  End crossing_of(std::uint32_t blocker, std::uint32_t below) const;
+  End crossing_of(std::uint32_t blocker, std::uint32_t below, CrossingNames& names) const;
 
   Flatland flatland_;
   std::vector<std::array<EventPoint, 2>> names_;  ///< of the ends of every blocker

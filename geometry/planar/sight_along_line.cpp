@@ -58,7 +58,7 @@ Clear clear_about(const Flatland& flatland, std::span<const std::uint32_t> block
 VisibleLight visible_along_line(const Sight& sight, std::span<const std::uint32_t> blockers, const Viewpoint& from) {
   const Flatland& flatland = sight.flatland();
   const Place start{0, {EventPointKind::light_end, 0, 0}}, end{1, {EventPointKind::light_end, 0, 1}};
-  const Place viewpoint{place_along(flatland.light(), from.exact_point()), {EventPointKind::viewpoint, 0, 0}};
+  const Place viewpoint{place_along(flatland.light(), from.exact()), {EventPointKind::viewpoint, 0, 0}};
   const Clear clear = clear_about(flatland, blockers, viewpoint, start, end);
   const Place& first = clear.first.t <= 0 ? start : clear.first;
   const Place& last = clear.last.t >= 1 ? end : clear.last;
@@ -74,7 +74,7 @@ bool is_blocked(const Viewpoint& from, const Point2& light, const BlockerSegment
   if (at_0 != 0 || at_1 != 0) {
     return orientation(from, blocker[0], blocker[1]) * orientation(blocker[0], blocker[1], light) < 0;
   }
-  const ExactPoint p = from.exact_point(), l = exact(light), a = exact(blocker[0]), b = exact(blocker[1]);
+  const ExactPoint p = from.exact(), l = exact(light), a = exact(blocker[0]), b = exact(blocker[1]);
   if (p == l) return false;
   const auto overlaps = [](const Rational& p1, const Rational& l1, const Rational& a1, const Rational& b1) {
     return std::max(a1, b1) > std::min(p1, l1) && std::min(a1, b1) < std::max(p1, l1);

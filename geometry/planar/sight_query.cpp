@@ -23,12 +23,12 @@ SightQuery::SightQuery(const Sight& sight, const Viewpoint& from) : sight_(sight
   const auto light = sight.flatland().light();
   if (light.size() == 1) return;
   side_ = orientation(from, light[0], light[1]);
-  x_ = from.near.x - light[0].x;
-  y_ = from.near.y - light[0].y;
+  x_ = from.near().x - light[0].x;
+  y_ = from.near().y - light[0].y;
   const double dx = light[1].x - light[0].x, dy = light[1].y - light[0].y;
   height_ = side_ * (dx * y_ - dy * x_);
   height_error_ =
-      product_error(std::fabs(dx * y_) + std::fabs(dy * x_)) + 2 * from.error * (std::fabs(dx) + std::fabs(dy));
+      product_error(std::fabs(dx * y_) + std::fabs(dy * x_)) + 2 * from.error() * (std::fabs(dx) + std::fabs(dy));
 }
 
 VisibleLight SightQuery::visible_light() const {
@@ -47,7 +47,7 @@ Rational SightQuery::fraction() const {
 Rational SightQuery::place(const EventPoint& name) const {
   const auto light = sight_.flatland().light();
   if (name.kind == EventPointKind::light_end) return name.end;
-  const ExactPoint p = from_.exact_point();
+  const ExactPoint p = from_.exact();
   if (name.kind == EventPointKind::viewpoint) return place_along(light, p);
   const BlockerSegment& blocker = sight_.flatland().blockers()[name.element];
   if (name.kind == EventPointKind::crossing) return crossing_place(light, blocker);
@@ -61,7 +61,7 @@ Rational SightQuery::place(const EventPoint& name) const {
 
 /// True if the end lies nearer to the light's line than the viewpoint.
 bool SightQuery::is_below(const End& end) const {
-  if (end.name.kind == EventPointKind::crossing) return true;
+  if (end.is_crossing) return true;
   const double above = height_ - end.height;
   const double error = height_error_ + end.height_error;
   if (above > 2 * error) return true;
@@ -73,11 +73,11 @@ bool SightQuery::is_below(const End& end) const {
 /// The line through the viewpoint p and the end q meets the light's line at t = (q x p) / (height p - height q), points
 /// relative to light end 0.
 SightQuery::Bound SightQuery::bound_of(const End& end) const {
-  if (end.name.kind == EventPointKind::crossing) return {end.t[0], end.t[1], &end, end.name};
+  if (end.is_crossing) return {end.t[0], end.t[1], &end, end.name};
   const double left = end.x * y_, right = end.y * x_;
   const double area = side_ * (left - right);
   const double area_error =
-      product_error(std::fabs(left) + std::fabs(right)) + 2 * from_.error * (std::fabs(end.x) + std::fabs(end.y));
+      product_error(std::fabs(left) + std::fabs(right)) + 2 * from_.error() * (std::fabs(end.x) + std::fabs(end.y));
   const double depth = height_ - end.height;
   const double depth_error = height_error_ + end.height_error + 0x1p-52 * std::fabs(depth);
   if (!(depth > 4 * depth_error)) return {-infinity, infinity, &end, end.name};
@@ -115,7 +115,7 @@ int SightQuery::compare(const Bound& a, const Bound& b) const {
   if (a.high < b.low) return -1;
   if (a.low > b.high) return 1;
   if (a.name == b.name) return 0;
-  const auto is_input = [](const Bound& bound) { return bound.name.kind != EventPointKind::crossing; };
+  const auto is_input = [](const Bound& bound) { return bound.end == nullptr || !bound.end->is_crossing; };
   if (!is_input(a) || !is_input(b)) return CGAL::compare(place(a.name), place(b.name));
   const auto point = [&](const Bound& bound) {
     return bound.end != nullptr ? bound.end->point : sight_.flatland().light()[bound.name.end];

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/planar/light_line.h"
 #include "geometry/planar/orientation.h"
 #include "geometry/rounding.h"
 
@@ -29,32 +30,30 @@ Rational exact_turn(const ExactPoint& p, const ExactPoint& q, const ExactPoint& 
   return (q.x - p.x) * (s.y - r.y) - (q.y - p.y) * (s.x - r.x);
 }
 
-ExactPoint exact(const Point2& p) {
-  return {Rational(p.x), Rational(p.y)};
-}
-
 }  // namespace
 
-Viewpoint::Viewpoint(ExactPoint point) : near{nearest_double(point.x), nearest_double(point.y)} {
+Viewpoint::Viewpoint(ExactPoint point) : near_{nearest_double(point.x), nearest_double(point.y)} {
   // Half a unit in the last place, or half the smallest double.
-  error = std::max({std::fabs(near.x), std::fabs(near.y), std::numeric_limits<double>::min()}) * 0x1p-52;
-  exact = std::move(point);
+  error_ = std::max({std::fabs(near_.x), std::fabs(near_.y), std::numeric_limits<double>::min()}) * 0x1p-52;
+  evaluate_ = [exact = std::move(point)] { return exact; };
 }
 
-ExactPoint Viewpoint::exact_point() const {
-  return exact ? *exact : planar::exact(near);
+ExactPoint Viewpoint::exact() const {
+  if (!evaluate_) return planar::exact(near_);
+  if (!exact_) exact_ = evaluate_();
+  return *exact_;
 }
 
 int orientation(const Viewpoint& p, const Point2& q, const Point2& r) {
-  if (!p.exact) return orientation(p.near, q, r);
-  if (const int sign = filtered_turn(p.near, q, p.near, r, p.error, p.error)) return sign;
-  return CGAL::sign(exact_turn(*p.exact, exact(q), *p.exact, exact(r)));
+  if (p.is_input()) return orientation(p.near(), q, r);
+  if (const int sign = filtered_turn(p.near(), q, p.near(), r, p.error(), p.error())) return sign;
+  return CGAL::sign(exact_turn(p.exact(), exact(q), p.exact(), exact(r)));
 }
 
 int height_order(const Point2& a, const Point2& b, const Point2& q, const Viewpoint& p) {
-  if (!p.exact) return turn(a, b, q, p.near);
-  if (const int sign = filtered_turn(a, b, q, p.near, 0, p.error)) return sign;
-  return CGAL::sign(exact_turn(exact(a), exact(b), exact(q), *p.exact));
+  if (p.is_input()) return turn(a, b, q, p.near());
+  if (const int sign = filtered_turn(a, b, q, p.near(), 0, p.error())) return sign;
+  return CGAL::sign(exact_turn(exact(a), exact(b), exact(q), p.exact()));
 }
 
 }  // namespace gnomon::planar

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <utility>
 
 #include "geometry/planar/exact_polygon.h"
 #include "geometry/point.h"
@@ -8,15 +10,30 @@
 namespace gnomon::planar {
 
 /// A point from which the light is looked at: an input point, or one constructed exactly.
-struct Viewpoint {
-  Point2 near;                      ///< the point, each coordinate rounded to nearest
-  double error = 0;                 ///< bounds what rounding moved a coordinate by
-  std::optional<ExactPoint> exact;  ///< nothing: `near` is the point
-
-  explicit Viewpoint(const Point2& point) : near(point) {}
+class Viewpoint {
+ public:
+  explicit Viewpoint(const Point2& point) : near_(point) {}
   explicit Viewpoint(ExactPoint point);
 
-  ExactPoint exact_point() const;
+  /// A constructed point whose coordinates are known up to `error`, and exactly when `exact` is asked.
+  Viewpoint(const Point2& near, double error, std::function<ExactPoint()> exact)
+      : near_(near), error_(error), evaluate_(std::move(exact)) {}
+
+  const Point2& near() const { return near_; }
+
+  /// Bounds the distance of each coordinate from that of near().
+  double error() const { return error_; }
+
+  /// True if near() is the point itself.
+  bool is_input() const { return !evaluate_; }
+
+  ExactPoint exact() const;
+
+ private:
+  Point2 near_;
+  double error_ = 0;
+  std::function<ExactPoint()> evaluate_;
+  mutable std::optional<ExactPoint> exact_;
 };
 
 /// The sign of orientation(p, q, r), exactly.

@@ -31,7 +31,7 @@ Region region_with(const Rational& f) {
 void expect_definition(const Sight& sight, const Viewpoint& from) {
   const SightQuery query(sight, from);
   const VisibleLight seen = query.visible_light();
-  const ExactPoint p = from.exact_point();
+  const ExactPoint p = from.exact();
   const laws::ExactVector at{p.x, p.y, 0};
   const Flatland& flatland = sight.flatland();
   const Rational f = laws::visible_fraction(flatland.light(), flatland.blockers(), at);
