@@ -137,7 +137,8 @@ PictureScene picture_scene(const PictureSource& source) {
     add_volume(scene, block);
     add_shadows(scene, block);
   }
-  std::ranges::stable_partition(scene.shadows, [](const PaintedShadow& shadow) { return !shadow.umbra; });
+  std::stable_partition(scene.shadows.begin(), scene.shadows.end(),
+                        [](const PaintedShadow& shadow) { return !shadow.umbra; });
   return scene;
 }
 

@@ -52,6 +52,7 @@ void write_obj_cells(std::ostream& out, const char* keyword, vtkCellArray* cells
 
 std::string obj_name(const std::vector<std::string>& path) {
   std::vector<std::string> parts;
+  parts.reserve(path.size());
   for (const std::string& part : path) parts.push_back(file_name(part));
   return joined(parts);
 }

@@ -70,6 +70,7 @@ std::string section(const std::string& title, const std::vector<TextRow>& rows) 
 
 std::string section(const std::string& title, const std::vector<RecognisedElement>& elements) {
   std::vector<TextRow> rows;
+  rows.reserve(elements.size());
   for (const RecognisedElement& element : elements) rows.push_back(element_row(element));
   return section(title, rows);
 }
@@ -80,6 +81,7 @@ std::string check_text(const Scene& scene, const RecognisedElements& elements, c
   text += section("lights", elements.lights) + section("blockers", elements.blockers) +
           section("receivers", elements.receivers);
   std::vector<TextRow> rows;
+  rows.reserve(pairs.size());
   for (const ScenePair& pair : pairs) {
     rows.push_back({pair.light, pair.blocker, pair.position ? std::string(name(*pair.position)) : "-",
                     pair.supported() ? "supported" : pair.reason});

@@ -60,6 +60,7 @@ ExitCode refuse(const std::string& word) {
   }
   if (word.starts_with("-")) throw UsageError("unknown option '" + word + "' in place of a command");
   std::vector<std::string_view> names;
+  names.reserve(std::size(commands));
   for (const Command& command : commands) names.push_back(command.name);
   throw UsageError("there is no command '" + word + "'; the nearest is '" + std::string(nearest_word(word, names)) +
                    "', the commands are " + command_list());

@@ -116,6 +116,7 @@ bool is_in_cone(const std::vector<ExactColumn>& generators, const ExactColumn& t
 bool is_in_difference_cone(const ExactVector& p, const std::vector<ExactVector>& light,
                            const std::vector<ExactVector>& blocker) {
   std::vector<ExactColumn> generators;
+  generators.reserve(blocker.size() + light.size());
   for (const ExactVector& b : blocker) generators.push_back(lifted(b, 1));
   for (const ExactVector& l : light) generators.push_back(lifted(Rational(-1) * l, -1));
   return is_in_cone(generators, lifted(p, 1));

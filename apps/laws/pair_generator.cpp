@@ -87,7 +87,7 @@ Points draw_polygon(double stretch) {
   const Point3 origin = draw_vector(3);
   Points points;
   for (const Point2& p : outline) points.push_back(moved(moved(origin, stretch * p.x, u), p.y, v));
-  std::ranges::rotate(points, points.begin() + draw(0, int(points.size()) - 1));
+  std::rotate(points.begin(), points.begin() + draw(0, int(points.size()) - 1), points.end());
   if (once_in(2)) std::ranges::reverse(points);
   return points;
 }

@@ -12,7 +12,9 @@ namespace gnomon::laws {
 
 /// The functions the laws are about, as values: a test may pass a broken one to see that a law catches it.
 struct Subject {
-  std::function<ExtremalPlanes(const Light&, const ConvexPolygon&)> extremal_planes = gnomon::extremal_planes;
+  // A lambda: private headers know another overload.
+  std::function<ExtremalPlanes(const Light&, const ConvexPolygon&)> extremal_planes =
+      [](const Light& light, const ConvexPolygon& blocker) { return gnomon::extremal_planes(light, blocker); };
   std::function<ShadowVolumes(const Light&, const ConvexPolygon&)> shadow_volumes = gnomon::shadow_volumes;
   std::function<std::array<planar::ExtremalLine, 4>(const planar::Pair&)> planar_extremal_lines =
       planar::extremal_lines;

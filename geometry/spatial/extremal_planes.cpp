@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "geometry/spatial/pair.h"
+#include "geometry/spatial/contact_walk.h"
 
 namespace gnomon {
 namespace {
@@ -14,14 +14,42 @@ LightVertex touching_vertex(const Ring& light, const TouchedCorners& touched) {
   return LightVertex{light.corner_index(touched.first)};
 }
 
-std::vector<BlockerPlane> blocker_planes(const StandardPair& pair, const std::vector<TouchedCorners>& contacts) {
-  std::vector<BlockerPlane> planes(contacts.size());
-  for (std::uint32_t k = 0; k < contacts.size(); ++k) {
-    planes[k] = blocker_plane(pair, k, contacts[k]);
-  }
-  if (pair.blocker.reversed()) std::reverse(planes.begin(), planes.end());
-  return planes;
+/// Passes on what for_each_contact finds: the plane through each blocker side, at the side's place in the file's order.
+auto blocker_planes_into(std::vector<BlockerPlane>& planes, const StandardPair& pair) {
+  planes.resize(pair.blocker.size());
+  return [&](std::uint32_t k, const TouchedCorners& touched) {
+    planes[pair.blocker.forward_side(k)] = blocker_plane(pair, k, touched);
+  };
 }
+
+/// Collects light planes, which come in the cyclic order of the light's sides, each at most once.
+class LightPlaneCollector {
+ public:
+  LightPlaneCollector(std::vector<LightPlane>& planes, const StandardPair& pair) : planes_(planes), pair_(pair) {
+    planes_.reserve(pair.light.size());
+  }
+
+  /// The light sides from light corner `from` to `to`, each with the blocker corner.
+  void add(std::uint32_t from, std::uint32_t to, std::uint32_t blocker_corner) {
+    for (std::uint32_t j = from; j != to; j = pair_.light.next(j)) {
+      if (j < latest_) first_ = static_cast<std::ptrdiff_t>(planes_.size());
+      latest_ = j;
+      planes_.push_back(light_plane(pair_, {j, blocker_corner}));
+    }
+  }
+
+  /// Puts the planes into the file's order of the sides.
+  void finish() {
+    std::rotate(planes_.begin(), planes_.begin() + first_, planes_.end());
+    if (pair_.light.reversed()) std::reverse(planes_.begin(), planes_.end());
+  }
+
+ private:
+  std::vector<LightPlane>& planes_;
+  const StandardPair& pair_;
+  std::uint32_t latest_ = 0;
+  std::ptrdiff_t first_ = 0;  ///< where the side of lowest number stands
+};
 
 }  // namespace
 
@@ -48,16 +76,23 @@ std::vector<LightSideContact> separating_light_contacts(const StandardPair& pair
 }
 
 ExtremalPlanes extremal_planes(const StandardPair& pair) {
-  const std::vector<TouchedCorners> separating = separating_contacts(pair);
-  std::vector<LightSideContact> sides = separating_light_contacts(pair, separating);
-  std::sort(sides.begin(), sides.end(), [&](const LightSideContact& a, const LightSideContact& b) {
-    return pair.light.reversed() ? a.light_side > b.light_side : a.light_side < b.light_side;
-  });
   ExtremalPlanes planes;
-  planes.separating_blocker = blocker_planes(pair, separating);
-  planes.supporting_blocker = blocker_planes(pair, supporting_contacts(pair));
-  planes.separating_light.reserve(sides.size());
-  for (const LightSideContact& side : sides) planes.separating_light.push_back(light_plane(pair, side));
+  const auto add_separating = blocker_planes_into(planes.separating_blocker, pair);
+  LightPlaneCollector between(planes.separating_light, pair);
+  TouchedCorners first{};
+  TouchedCorners before{};
+  for_each_contact(pair, -1, [&](std::uint32_t k, const TouchedCorners& touched) {
+    add_separating(k, touched);
+    if (k == 0) {
+      first = touched;
+    } else {
+      between.add(before.last, touched.first, k);
+    }
+    before = touched;
+  });
+  between.add(before.last, first.first, 0);
+  between.finish();
+  for_each_contact(pair, +1, blocker_planes_into(planes.supporting_blocker, pair));
   return planes;
 }
 

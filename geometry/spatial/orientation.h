@@ -53,6 +53,33 @@ class OrientationFilter {
     return exact_orientation(p, q, r, s);
   }
 
+  /// The plane through three included points, for many signs.
+  ///
+  /// The normal is the determinant's three minors, each the rounded difference of two products: the bound holds as it
+  /// stands, for the analysis treats all three rows of the determinant alike.
+  class Plane {
+   public:
+    /// As orientation(p, q, r, s).
+    int side(const Point3& s) const {
+      const double det = (s.x - p_.x) * normal_.x + (s.y - p_.y) * normal_.y + (s.z - p_.z) * normal_.z;
+      if (det > bound_) return 1;
+      if (det < -bound_) return -1;
+      return exact_orientation(p_, q_, r_, s);
+    }
+
+   private:
+    friend class OrientationFilter;
+    Plane(const Point3& p, const Point3& q, const Point3& r, double bound) : p_(p), q_(q), r_(r), bound_(bound) {
+      const double qx = q.x - p.x, qy = q.y - p.y, qz = q.z - p.z;
+      const double rx = r.x - p.x, ry = r.y - p.y, rz = r.z - p.z;
+      normal_ = {qy * rz - qz * ry, qz * rx - qx * rz, qx * ry - qy * rx};
+    }
+
+    Point3 p_, q_, r_, normal_;
+    double bound_;
+  };
+  Plane plane(const Point3& p, const Point3& q, const Point3& r) const { return {p, q, r, bound_}; }
+
  private:
   Point3 min_{HUGE_VAL, HUGE_VAL, HUGE_VAL};
   Point3 max_{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};

@@ -14,9 +14,12 @@ namespace gnomon {
 /// Side k runs from corner k to corner k + 1; corner numbers are cyclic.
 class Ring {
  public:
-  Ring(const ConvexPolygon& polygon, bool reversed) : polygon_(&polygon), reversed_(reversed) {
-    size_ = static_cast<std::uint32_t>(polygon.corners().size());
-  }
+  Ring(const ConvexPolygon& polygon, bool reversed)
+      : polygon_(&polygon),
+        points_(polygon.points().data()),
+        corners_(polygon.corners().data()),
+        size_(static_cast<std::uint32_t>(polygon.corners().size())),
+        reversed_(reversed) {}
   explicit Ring(const PointLight& light) : size_(1), loose_{light.position, light.position} {}
   explicit Ring(const LinearLight& light) : size_(2), loose_{light.start, light.end} {}
 
@@ -25,11 +28,9 @@ class Ring {
   std::uint32_t previous(std::uint32_t k) const { return k == 0 ? size_ - 1 : k - 1; }
   bool reversed() const { return reversed_; }
 
-  const Point3& corner(std::uint32_t k) const {
-    return polygon_ ? polygon_->points()[polygon_->corners()[forward_corner(k)]] : loose_[k];
-  }
+  const Point3& corner(std::uint32_t k) const { return polygon_ ? points_[corners_[forward_corner(k)]] : loose_[k]; }
   /// Index of corner k in the file's order.
-  std::uint32_t corner_index(std::uint32_t k) const { return polygon_ ? polygon_->corners()[forward_corner(k)] : k; }
+  std::uint32_t corner_index(std::uint32_t k) const { return polygon_ ? corners_[forward_corner(k)] : k; }
   /// Index of the edge that names side k.
   std::uint32_t side_edge(std::uint32_t k) const { return polygon_ ? polygon_->side_edge(forward_side(k)) : 0; }
   /// Lowest index of the vertices on side k.
@@ -37,13 +38,17 @@ class Ring {
     return polygon_ ? polygon_->side_lowest_vertex(forward_side(k)) : 0;
   }
 
- private:
-  std::uint32_t forward_corner(std::uint32_t k) const { return reversed_ && k != 0 ? size_ - k : k; }
+  /// Place of side k in the file's order of sides.
   std::uint32_t forward_side(std::uint32_t k) const { return reversed_ ? size_ - 1 - k : k; }
 
+ private:
+  std::uint32_t forward_corner(std::uint32_t k) const { return reversed_ && k != 0 ? size_ - k : k; }
+
   const ConvexPolygon* polygon_ = nullptr;
-  bool reversed_ = false;
+  const Point3* points_ = nullptr;
+  const std::uint32_t* corners_ = nullptr;
   std::uint32_t size_ = 0;
+  bool reversed_ = false;
   Point3 loose_[2];
 };
 

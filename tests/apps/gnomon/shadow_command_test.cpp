@@ -178,6 +178,34 @@ TEST_F(ShadowCommand, OldOutputSurvivesARunThatIsKilledWhileWriting) {
   EXPECT_THAT(names_in("."), Each(Not(StartsWith(".gnomon"))));
 }
 
+/// A scene of the plane whose thousands of files take much longer to write than a shell takes to see the first.
+std::string many_walls() {
+  std::string walls;
+  for (int k = 0; k < 1000; ++k) {
+    const std::string x = std::to_string(k);
+    walls += std::string(k == 0 ? "" : ",") + R"({"name": "wall)" + x + R"(", "shape": "segment", "vertices": [[)" + x +
+             ", 0], [" + x + ".5, 0]]}";
+  }
+  return R"({"gnomon": 1, "dimension": 2, "lights": [{"name": "bulb", "shape": "point", "position": [0, 9]}],
+    "blockers": [)" +
+         walls + "]}";
+}
+
+TEST_F(ShadowCommand, OldOutputSurvivesARunThatIsKilledWhileItWritesAFolder) {
+  write("many.scene.json", many_walls());
+  ASSERT_EQ(gnomon("shadow table.scene.json --out shadows --quiet").code, 0);
+  ASSERT_EQ(shell("cp -r shadows before").code, 0);
+  const Outcome run = shell(R"("$GNOMON" shadow many.scene.json --out shadows --quiet &
+    until ls -d shadows/.gnomon-*; do kill -0 $! || exit 1; done
+    kill -KILL $!; wait $!)");
+  EXPECT_EQ(run.code, 128 + 9) << run.err;
+  EXPECT_THAT(names_in("shadows"), Contains(StartsWith(".gnomon-"))) << "it was not writing when it was killed";
+  const Outcome difference = shell("diff -r --exclude='.gnomon-*' before shadows");
+  EXPECT_EQ(difference.code, 0) << difference.out;
+  EXPECT_EQ(gnomon("shadow table.scene.json --out shadows --quiet").code, 0);
+  EXPECT_THAT(names_in("shadows"), Each(Not(StartsWith(".gnomon"))));
+}
+
 TEST_F(ShadowCommand, LeavesFilesOfOthersInTheFolderAlone) {
   ASSERT_EQ(shell("mkdir shadows").code, 0);
   write("shadows/notes.txt", "mine");

@@ -175,7 +175,8 @@ RC_GTEST_PROP(RegionsInBox, ShareWholeSidesInOppositeDirections, ()) {
       }
     }
   }
-  for (const auto& [ends, name] : sides) {
+  for (const auto& [key, name] : sides) {
+    const auto& ends = key;  // a lambda cannot capture `key` in clang 14
     const bool on_the_box = [&] {
       const auto both = [&](auto claim) { return claim(ends.first) && claim(ends.second); };
       return both([&](const Place& p) { return p.first == box.min.x; }) ||

@@ -30,6 +30,13 @@ int filtered(const std::array<Point3, 4>& p) {
   return filter(p[0], p[1], p[2], p[3]);
 }
 
+int beside_plane(const std::array<Point3, 4>& p) {
+  OrientationFilter filter;
+  filter.include(p);
+  filter.close();
+  return filter.plane(p[0], p[1], p[2]).side(p[3]);
+}
+
 /// Four points near a common plane: the last is a combination of the others, rounded, and now and then nudged.
 std::array<Point3, 4> draw_nearly_coplanar(double scale) {
   std::array<Point3, 4> p;
@@ -52,6 +59,7 @@ TEST(OrientationAgreement, FilterMatchesRationalDeterminantNearTies) {
     EXPECT_TRUE(rc::check("scaled", [scale] {
       const std::array<Point3, 4> p = draw_nearly_coplanar(scale);
       RC_ASSERT(filtered(p) == oracle(p));
+      RC_ASSERT(beside_plane(p) == oracle(p));
     })) << scale;
   }
 }
@@ -59,8 +67,10 @@ TEST(OrientationAgreement, FilterMatchesRationalDeterminantNearTies) {
 TEST(OrientationDegenerate, HugeAndTinyCoordinatesAreDecidedExactly) {
   const std::array<Point3, 4> huge = {{{-1e308, 0, 0}, {1e308, 0, 0}, {0, 1e308, 0}, {0, 0, 1e-308}}};
   EXPECT_EQ(filtered(huge), oracle(huge));
+  EXPECT_EQ(beside_plane(huge), oracle(huge));
   const std::array<Point3, 4> tiny = {{{0, 0, 0}, {5e-324, 0, 0}, {0, 5e-324, 0}, {0, 0, -5e-324}}};
   EXPECT_EQ(filtered(tiny), -1);
+  EXPECT_EQ(beside_plane(tiny), -1);
   EXPECT_EQ(oracle(tiny), -1);
 }
 
