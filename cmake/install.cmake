@@ -23,14 +23,19 @@ foreach(header IN ITEMS
     geometry/planar/sight.h
     geometry/point.h
     geometry/region.h
+    geometry/scene/convex_parts.h
     geometry/scene/scene.h
     geometry/scene/scene_reader.h
+    geometry/spatial/closed_surface.h
+    geometry/spatial/convex_blocker.h
     geometry/spatial/convex_polygon.h
+    geometry/spatial/convex_solid.h
     geometry/spatial/extremal_planes.h
     geometry/spatial/light.h
     geometry/spatial/position.h
     geometry/spatial/shadow_volume.h
     geometry/spatial/volume_mesh.h
+    geometry/visibility/visibility.h
     viz/display.h
     viz/picture.h
     viz/shadow_result.h

@@ -73,10 +73,14 @@ void add_pair_options(CLI::App& app, CommonOptions& options) {
            "dimension 2 xmin,ymin,xmax,ymax");
   add_text(app, "--light", options.light, "NAME", "Only the pairs of this light");
   add_text(app, "--blocker", options.blocker, "NAME", "Only the pairs of this blocker");
+  add_threads_option(app, options);
+  add_quiet_option(app, options);
+}
+
+void add_threads_option(CLI::App& app, CommonOptions& options) {
   app.add_option("--threads", options.threads, "Number of threads (default: one per processor)")
       ->type_name("N")
       ->check(CLI::Range(1U, 1024U, "1 to 1024"));
-  add_quiet_option(app, options);
 }
 
 void add_json_option(CLI::App& app, CommonOptions& options) {

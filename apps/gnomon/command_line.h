@@ -33,6 +33,9 @@ void add_pair_options(CLI::App& app, CommonOptions& options);
 /// Adds --json.
 void add_json_option(CLI::App& app, CommonOptions& options);
 
+/// Adds --threads.
+void add_threads_option(CLI::App& app, CommonOptions& options);
+
 /// Adds --quiet alone.
 void add_quiet_option(CLI::App& app, CommonOptions& options);
 

@@ -11,7 +11,7 @@ enum class ExitCode {
   done = 0,
   failure = 1,      ///< something went wrong while running
   usage = 2,        ///< the command line makes no sense
-  bad_scene = 3,    ///< a scene (or result) is missing or wrong
+  bad_scene = 3,    ///< a scene, result or line of points is missing or wrong
   unsupported = 4,  ///< nothing of what was asked for is supported
 };
 
@@ -35,6 +35,9 @@ ExitCode shadow_command(Arguments arguments);
 
 /// `gnomon check`: what a scene file holds, what is doubtful about it, and which pairs are supported.
 ExitCode check_command(Arguments arguments);
+
+/// `gnomon regions`: region and visible fraction of every light at given points, as CSV and JSON.
+ExitCode regions_command(Arguments arguments);
 
 /// `gnomon render`: a picture of a scene or of a folder written by `gnomon shadow`.
 ExitCode render_command(Arguments arguments);

@@ -25,12 +25,13 @@ struct Command {
 constexpr std::array commands{
     Command{"shadow", "extremal planes and occlusion, umbra and penumbra volumes, for ParaView", shadow_command},
     Command{"check", "validates a scene and prints what was recognised", check_command},
+    Command{"regions", "tells region and visible fraction of every light at given points", regions_command},
     Command{"render", "makes a picture of a scene or of a result folder", render_command},
 };
 
 /// Words of the documented command language that this version does not know how to obey.
-constexpr std::array<std::string_view, 7> later_commands{"regions",   "grid",     "irradiance", "discontinuities",
-                                                         "receivers", "theorems", "report"};
+constexpr std::array<std::string_view, 6> later_commands{"grid",      "irradiance", "discontinuities",
+                                                         "receivers", "theorems",   "report"};
 
 std::string command_list() {
   std::string list;
@@ -47,7 +48,8 @@ void print_help(std::ostream& stream) {
   stream << "\nOptions:\n"
             "  -h, --help    print this text; 'gnomon COMMAND --help' says more about a command\n"
             "  --version     print the version\n\n"
-            "Exit codes: 0 done, 1 failed while running, 2 wrong usage, 3 bad or missing scene, 4 not supported.\n\n"
+            "Exit codes: 0 done, 1 failed while running, 2 wrong usage, 3 bad or missing scene or input line,\n"
+            "4 not supported.\n\n"
             "Examples:\n"
             "  gnomon shadow --out shadow_of_default\n"
             "  gnomon check examples/cornell_box.scene.json\n";

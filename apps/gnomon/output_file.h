@@ -1,7 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <fstream>
+#include <optional>
 #include <string_view>
+
+#include "viz/staged_folder.h"
 
 namespace gnomon {
 
@@ -10,5 +14,23 @@ namespace gnomon {
 ///
 /// Throws: std::runtime_error naming the file and the cause.
 void write_output_file(const std::filesystem::path& file, std::string_view text);
+
+/// A file that is written piece by piece and takes its place when it is complete: the old content survives whatever
+/// fails. Devices and pipes are written directly.
+class OutputFile {
+ public:
+  /// Throws: std::runtime_error naming the file and the cause.
+  explicit OutputFile(std::filesystem::path file);
+
+  std::ostream& stream() { return stream_; }
+
+  /// Throws: std::runtime_error if anything written was lost, or the file cannot take its place.
+  void publish();
+
+ private:
+  std::filesystem::path file_;
+  std::optional<viz::StagedFolder> folder_;  ///< none for devices and pipes
+  std::ofstream stream_;
+};
 
 }  // namespace gnomon

@@ -5,21 +5,10 @@
 #include <string_view>
 #include <variant>
 
-#include "apps/gnomon/commands.h"
+#include "apps/gnomon/element_choice.h"
 
 namespace gnomon {
 namespace {
-
-template <class Element>
-void require_name(const std::string& option, const std::string& kind, const std::string& name,
-                  const std::vector<Element>& elements) {
-  const auto has_name = [&name](const Element& element) { return element.name == name; };
-  if (name.empty() || std::any_of(elements.begin(), elements.end(), has_name)) return;
-  std::string known;
-  for (const Element& element : elements) known += (known.empty() ? "'" : ", '") + element.name + "'";
-  throw UsageError(option + ": the scene has no " + kind + " '" + name + "'; it has " +
-                   (known.empty() ? "none" : known));
-}
 
 /// Why nothing is computed for a light of this shape, or empty.
 std::string light_reason(const Light& light) {

@@ -262,6 +262,10 @@ Point3 nudged(const Point3& p) {
   return result;
 }
 
+std::vector<Point3> draw_flat_points(double stretch) {
+  return draw_polygon(stretch);
+}
+
 std::vector<Point3> light_points(const Light& light) {
   if (const auto* point = std::get_if<PointLight>(&light)) return {point->position};
   if (const auto* linear = std::get_if<LinearLight>(&light)) return {linear->start, linear->end};

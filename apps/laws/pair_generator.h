@@ -20,6 +20,12 @@ inline Point3 moved(const Point3& a, double s, const Point3& b) {
   return {a.x + s * b.x, a.y + s * b.y, a.z + s * b.z};
 }
 
+/// Draws the vertices of an exactly flat convex polygon with small coordinates in a random plane, collinear ones among
+/// them; a needle is stretched along a direction of the plane.
+///
+/// Requires: called inside rc::gen::exec; a power of two.
+std::vector<Point3> draw_flat_points(double stretch);
+
 /// Draws a pair in standard position.
 ///
 /// Requires: called inside rc::gen::exec.

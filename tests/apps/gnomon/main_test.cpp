@@ -24,7 +24,8 @@ TEST_F(Program, HelpNamesEveryCommand) {
   for (const char* option : {"--help", "-h"}) {
     const Outcome run = gnomon(option);
     EXPECT_EQ(run.code, 0);
-    EXPECT_THAT(run.out, AllOf(HasSubstr("shadow"), HasSubstr("check"), HasSubstr("render"), HasSubstr("Exit codes")));
+    EXPECT_THAT(run.out, AllOf(HasSubstr("shadow"), HasSubstr("check"), HasSubstr("regions"), HasSubstr("render"),
+                               HasSubstr("Exit codes")));
     EXPECT_THAT(run.err, IsEmpty());
   }
 }
@@ -40,13 +41,12 @@ TEST_F(Program, NamesAnUnknownCommandAndTheNearestKnownOne) {
   const Outcome run = gnomon("shaddow --out there");
   EXPECT_EQ(run.code, 2);
   EXPECT_THAT(run.out, IsEmpty());
-  EXPECT_THAT(run.err,
-              AllOf(HasSubstr("'shaddow'"), HasSubstr("nearest is 'shadow'"), HasSubstr("shadow, check, render")));
+  EXPECT_THAT(run.err, AllOf(HasSubstr("'shaddow'"), HasSubstr("nearest is 'shadow'"),
+                             HasSubstr("shadow, check, regions, render")));
 }
 
 TEST_F(Program, SaysThatADocumentedCommandIsNotAvailableYet) {
-  for (const std::string command :
-       {"regions", "grid", "irradiance", "discontinuities", "receivers", "theorems", "report"}) {
+  for (const std::string command : {"grid", "irradiance", "discontinuities", "receivers", "theorems", "report"}) {
     const Outcome run = gnomon(command + " scene.json");
     EXPECT_EQ(run.code, 4) << command;
     EXPECT_THAT(run.err, AllOf(HasSubstr("'" + command + "'"), HasSubstr("not available in this version")));
@@ -60,13 +60,13 @@ TEST_F(Program, RefusesAnOptionInPlaceOfACommand) {
 }
 
 TEST_F(Program, EveryHelpEndsWithTwoExamples) {
-  for (const std::string command : {"", "shadow ", "check ", "render "}) {
+  for (const std::string command : {"", "shadow ", "check ", "regions ", "render "}) {
     EXPECT_THAT(examples_of(gnomon(command + "--help").out), SizeIs(2)) << command;
   }
 }
 
 TEST_F(Program, TheExamplesInItsHelpAreTrue) {
-  for (const std::string command : {"", "shadow ", "check "}) {
+  for (const std::string command : {"", "shadow ", "check ", "regions "}) {
     for (const std::string& example : examples_of(gnomon(command + "--help").out)) {
       const Outcome run = gnomon(example);
       EXPECT_EQ(run.code, 0) << example << '\n' << run.err;

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "geometry/scene/scene.h"
+#include "geometry/visibility/visibility.h"
+
+namespace gnomon {
+
+/// What a point of a scene receives of each light.
+struct RegionFinder {
+  std::vector<std::string> lights;  ///< names, in file order
+  /// One answer per light for the point of these coordinates; z is not looked at in the plane. May be called from
+  /// several threads.
+  std::function<std::vector<Visibility>(const std::array<double, 3>&)> at;
+};
+
+/// The finder of a scene, for all lights or, if a name is given, for that one.
+///
+/// Requires: the scene outlives the result.
+/// Throws:   UsageError for a name that the scene does not have; UnsupportedError for a dimension.
+RegionFinder region_finder(const Scene& scene, const std::string& light);
+
+}  // namespace gnomon

@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <future>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "apps/gnomon/command_line.h"
+#include "apps/gnomon/commands.h"
+#include "apps/gnomon/console.h"
+#include "apps/gnomon/output_file.h"
+#include "apps/gnomon/point_table.h"
+#include "apps/gnomon/region_finder.h"
+#include "apps/gnomon/regions_output.h"
+#include "apps/gnomon/text.h"
+#include "geometry/scene/scene_reader.h"
+
+namespace gnomon {
+namespace {
+
+/// As many rows are held in memory at a time.
+constexpr std::size_t batch_size = 1024;
+
+struct RegionsOptions : CommonOptions {
+  std::string at;
+  std::string out;
+};
+
+void add_options(CLI::App& app, RegionsOptions& options) {
+  add_text(app, "SCENE", options.scene, "FILE", "Scene file")->required();
+  add_text(app, "--at", options.at, "POINTS.csv|-",
+           "Points as CSV with the header x,y,z; '-' reads them from stdin. Further columns are passed through")
+      ->required();
+  add_text(app, "--out", options.out, "FILE", "Write the CSV to this file (default: to stdout)");
+  add_json_option(app, options);
+  add_text(app, "--light", options.light, "NAME", "Only this light");
+  add_threads_option(app, options);
+  add_quiet_option(app, options);
+  app.footer(
+      "Each row of the result is a row of the input, followed by light,region,visible_fraction,error_bound. The "
+      "region\n"
+      "(lit, penumbra, umbra or unlit) is decided exactly. A malformed line is reported with its number and left out;\n"
+      "the exit code is 3 then.\n\n"
+      "Examples:\n"
+      "  gnomon regions examples/figure_4_22.scene.json --at examples/points.csv\n"
+      "  gnomon regions examples/cornell_box.scene.json --at examples/points.csv --light ceiling_lamp --json -\n");
+}
+
+/// The next rows of the table, at most a batch; none at the end.
+std::vector<JudgedRow> next_rows(PointTable& table) {
+  std::vector<JudgedRow> rows;
+  while (rows.size() < batch_size) {
+    auto row = table.next();
+    if (!row) break;
+    rows.push_back({std::move(*row), {}});
+  }
+  return rows;
+}
+
+void judge(std::vector<JudgedRow>& rows, const RegionFinder& finder, unsigned threads) {
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < rows.size(); i = next++) {
+      if (const auto* row = std::get_if<PointRow>(&rows[i].row)) rows[i].seen = finder.at(row->coordinates);
+    }
+  };
+  if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
+  // Helpers beside this thread; a future hands on what its helper throws.
+  std::vector<std::future<void>> helpers;
+  const std::size_t helper_count = std::min<std::size_t>(threads, rows.size());
+  for (std::size_t i = 1; i < helper_count; ++i) helpers.push_back(std::async(std::launch::async, work));
+  work();
+  for (std::future<void>& helper : helpers) helper.get();
+}
+
+/// Where the results go: any of a CSV file or stdout, and a JSON file or stdout.
+struct Outputs {
+  std::optional<OutputFile> csv_file;
+  std::optional<OutputFile> json_file;
+  std::optional<RegionsCsv> csv;
+  std::optional<RegionsJson> json;
+
+  Outputs(const RegionsOptions& options, const Scene& scene, const PointTable& table,
+          const std::vector<std::string>& lights) {
+    if (!options.out.empty()) csv_file.emplace(options.out);
+    if (csv_file || options.json != "-") csv.emplace(csv_file ? csv_file->stream() : std::cout, table.header(), lights);
+    if (options.json.empty()) return;
+    if (options.json != "-") json_file.emplace(options.json);
+    json.emplace(json_file ? json_file->stream() : std::cout, scene, lights);
+  }
+
+  void add(const JudgedRow& judged) {
+    if (csv) csv->add(judged);
+    if (json) json->add(judged);
+  }
+
+  void publish(const RegionCounts& counts) {
+    if (json) json->finish(counts);
+    if (csv_file) csv_file->publish();
+    if (json_file) json_file->publish();
+  }
+};
+
+ExitCode write_regions(const RegionsOptions& options, const Scene& scene, std::istream& stream,
+                       const std::string& file) {
+  const RegionFinder finder = region_finder(scene, options.light);
+  PointTable table(stream, file, std::size_t(scene.dimension));
+  Outputs outputs(options, scene, table, finder.lights);
+  RegionCounts counts(finder.lights);
+  if (finder.lights.empty()) print_warning("the scene has no light");
+  for (std::vector<JudgedRow> rows = next_rows(table); !rows.empty(); rows = next_rows(table)) {
+    judge(rows, finder, options.threads);
+    for (const JudgedRow& judged : rows) {
+      counts.add(judged);
+      outputs.add(judged);
+      const auto* malformed = std::get_if<MalformedRow>(&judged.row);
+      if (malformed) print_error(file + ':' + std::to_string(malformed->line) + ": " + malformed->problem);
+    }
+    // Who reads a pipe gets every batch; who went away need not be served.
+    finish_stdout();
+  }
+  outputs.publish(counts);
+  if (!options.quiet && !options.out.empty() && options.json != "-") std::cout << counts.text();
+  return counts.malformed_lines() == 0 ? ExitCode::done : ExitCode::bad_scene;
+}
+
+}  // namespace
+
+ExitCode regions_command(Arguments arguments) {
+  CLI::App app(
+      "Tells for points what they receive of each light behind all blockers together: the region, decided\n"
+      "exactly, the visible fraction of the light, and a bound of its error.",
+      "gnomon regions");
+  RegionsOptions options;
+  add_options(app, options);
+  if (!parse_arguments(app, arguments)) return ExitCode::done;
+  const Scene scene = read_scene(options.scene);
+  if (options.at == "-") return write_regions(options, scene, std::cin, "stdin");
+  if (std::filesystem::is_directory(options.at)) throw SceneError(options.at + ": found a folder, expected a CSV file");
+  std::ifstream stream(options.at, std::ios::binary);
+  if (!stream) throw SceneError(options.at + ": cannot be read, expected a CSV file of points");
+  return write_regions(options, scene, stream, options.at);
+}
+
+}  // namespace gnomon

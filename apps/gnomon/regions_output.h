@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <ostream>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "apps/gnomon/point_table.h"
+#include "geometry/scene/scene.h"
+#include "geometry/visibility/visibility.h"
+
+namespace gnomon {
+
+/// A row of the table of points, and what its point receives of each light.
+struct JudgedRow {
+  std::variant<PointRow, MalformedRow> row;
+  std::vector<Visibility> seen;  ///< empty for a malformed row
+};
+
+/// How many points are in which region of each light.
+class RegionCounts {
+ public:
+  explicit RegionCounts(std::vector<std::string> lights) : lights_(std::move(lights)), counts_(lights_.size()) {}
+
+  void add(const JudgedRow& judged);
+
+  const std::vector<std::string>& lights() const { return lights_; }
+  std::size_t count(std::size_t light, Region region) const { return counts_[light][std::size_t(region)]; }
+  std::size_t points() const { return points_; }
+  std::size_t malformed_lines() const { return malformed_lines_; }
+
+  /// A table for people.
+  std::string text() const;
+
+ private:
+  std::vector<std::string> lights_;
+  std::vector<std::array<std::size_t, 4>> counts_;
+  std::size_t points_ = 0;
+  std::size_t malformed_lines_ = 0;
+};
+
+/// The result as CSV, row by row: the fields as they were written, then light,region,visible_fraction,error_bound.
+/// Malformed rows are left out.
+class RegionsCsv {
+ public:
+  RegionsCsv(std::ostream& stream, const std::string& header, std::vector<std::string> lights);
+  void add(const JudgedRow& judged);
+
+ private:
+  std::ostream& stream_;
+  std::vector<std::string> lights_;  ///< quoted where CSV asks for it
+};
+
+/// The result as JSON of schema gnomon/regions/1, point by point.
+class RegionsJson {
+ public:
+  RegionsJson(std::ostream& stream, const Scene& scene, std::vector<std::string> lights);
+  void add(const JudgedRow& judged);
+  void finish(const RegionCounts& counts);
+
+ private:
+  std::ostream& stream_;
+  std::vector<std::string> lights_;
+  int dimension_;
+  bool first_ = true;
+};
+
+}  // namespace gnomon

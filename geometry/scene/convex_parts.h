@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/scene/scene.h"
+#include "geometry/spatial/closed_surface.h"
+#include "geometry/spatial/convex_blocker.h"
+
+namespace gnomon {
+
+/// A convex piece of a blocker.
+struct ConvexPart {
+  std::string name;
+  ConvexBlocker shape;
+  std::vector<std::uint32_t> vertices;  ///< of each point of `shape`, its index among the blocker's vertices
+};
+
+/// The convex pieces whose union is the blocker.
+///
+/// Definition: a polygon is itself, or, rounded, the solid between its vertices; a polytope is its hull. A concave
+///             polygon `board` is cut along diagonals between its own vertices into `board#0`, `board#1`, ...; facet 12
+///             of a mesh `vase` is `vase#12`, and if it is concave `vase#12#0`, `vase#12#1`, ... Rounded pieces are
+///             solids. A closed mesh consists of its facets here; what it encloses, enclosed_space tells.
+/// Returns:    at least one part; in the order of the names.
+/// Requires:   a blocker as scene files hold it: see BlockerShape.
+/// Exactness:  no vertex is constructed; convexity is decided by exact signs.
+/// Cost:       O(n log n) for most, O(n²) for the worst concave polygons.
+std::vector<ConvexPart> convex_parts(const SceneBlocker& blocker);
+
+/// The surface that a closed mesh is, in triangles between its own vertices; nothing for other blockers.
+std::optional<ClosedSurface> enclosed_space(const SceneBlocker& blocker);
+
+}  // namespace gnomon
