@@ -6,7 +6,7 @@ include(CMakePackageConfigHelpers)
 set(gnomon_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/gnomon)
 
 install(TARGETS gnomon)
-install(TARGETS gnomon_geometry gnomon_scene EXPORT gnomonTargets)
+install(TARGETS gnomon_geometry gnomon_scene gnomon_shading EXPORT gnomonTargets)
 install(TARGETS gnomon_viz EXPORT gnomonVizTargets)
 foreach(header IN ITEMS
     geometry/contact.h
@@ -17,6 +17,8 @@ foreach(header IN ITEMS
     geometry/planar/flatland.h
     geometry/planar/pair.h
     geometry/planar/partition.h
+    geometry/planar/partition_in_box.h
+    geometry/planar/receiver_events.h
     geometry/planar/region_of.h
     geometry/planar/regions.h
     geometry/planar/regions_in_box.h
@@ -36,6 +38,7 @@ foreach(header IN ITEMS
     geometry/spatial/shadow_volume.h
     geometry/spatial/volume_mesh.h
     geometry/visibility/visibility.h
+    shading/planar_irradiance.h
     viz/display.h
     viz/picture.h
     viz/shadow_result.h

@@ -195,6 +195,7 @@ rc::Gen<FlatlandCase> flatland_cases(Domain domain, Layout layout, int most) {
     const Layout chosen = layout == Layout::any ? static_cast<Layout>(draw(0, 5)) : layout;
     FlatlandCase drawn{draw_light(), {}, {}};
     drawn.blockers = draw_blockers(chosen, drawn.light, draw(1, most));
+    if (drawn.blockers.empty()) drawn.blockers = {{Point2{0, 0}, Point2{1, 1}}};
     if (domain == Domain::near_degenerate) bend(drawn);
     drawn.point = draw_view(drawn);
     if (domain == Domain::near_degenerate && once_in(2)) drawn.point = nudged(drawn.point);

@@ -34,8 +34,8 @@ enum class Layout {
   any,        ///< one of these
 };
 
-/// Lights among up to `most` blockers. Points lie anywhere, on blockers, on the light's line, and on lines through two
-/// ends.
+/// Lights among one to `most` blockers, and a tooth or so more. Points lie anywhere, on blockers, on the light's line,
+/// and on lines through two ends.
 rc::Gen<FlatlandCase> flatland_cases(Domain domain, Layout layout, int most = 6);
 
 }  // namespace gnomon::laws

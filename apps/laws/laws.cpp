@@ -1,3 +1,5 @@
+#include "apps/laws/flatland_claims.h"
+#include "apps/laws/flatland_laws.h"
 #include "apps/laws/planar_laws.h"
 #include "apps/laws/spatial_laws.h"
 
@@ -5,7 +7,7 @@ namespace gnomon::laws {
 
 std::vector<Law> all_laws() {
   std::vector<Law> all;
-  for (const auto& family : {planar_laws(), spatial_laws()}) {
+  for (const auto& family : {planar_laws(), flatland_laws(), flatland_claims(), spatial_laws()}) {
     all.insert(all.end(), family.begin(), family.end());
   }
   return all;

@@ -7,9 +7,13 @@
 
 #include "apps/laws/flatland_cases.h"
 #include "apps/laws/planar_definition.h"
+#include "geometry/errors.h"
 #include "geometry/planar/light_line.h"
 #include "geometry/planar/partition_data.h"
+#include "geometry/planar/partition_in_box.h"
 #include "geometry/planar/regions.h"
+#include "geometry/planar/regions_in_box.h"
+#include "geometry/rounding.h"
 
 namespace gnomon::planar {
 namespace {
@@ -195,6 +199,89 @@ RC_GTEST_PROP(PartitionProperty, FinerFacesHaveOneListOfVisibleIntervals, ()) {
       }
     }
   }
+}
+
+Partition partition_of(const std::vector<Point2>& light, const std::vector<BlockerSegment>& blockers,
+                       const PartitionOptions& options = {}) {
+  return partition(Sight(Flatland::from_points(light, blockers)), options);
+}
+
+std::array<std::size_t, 3> counts(const Partition& parts) {
+  return {parts.count(Region::lit), parts.count(Region::penumbra), parts.count(Region::umbra)};
+}
+
+using Counts = std::array<std::size_t, 3>;
+
+TEST(Partition, WithoutBlockersIsOneLitFace) {
+  const Partition parts = partition_of({{0, 0}, {1, 0}}, {});
+  EXPECT_EQ(counts(parts), (Counts{1, 0, 0}));
+  EXPECT_FALSE(parts.faces()[0].bounded);
+  EXPECT_TRUE(parts.edges().empty());
+}
+
+TEST(Partition, HasAJointUmbraBehindTwoBlockersThatOverlapAsSeen) {
+  const std::vector<BlockerSegment> blockers{{{{-4, 4}, {-0.25, 4}}}, {{{-0.5, 3}, {3.5, 3}}}};
+  const Partition parts = partition_of({{-3, 8}, {3, 8}}, blockers);
+  // The left blocker's own umbra, which is bounded, and the joint one, which holds that of the right blocker.
+  EXPECT_EQ(parts.count(Region::umbra), 2u);
+  EXPECT_EQ(std::ranges::count_if(
+                parts.faces(), [](const PartitionFace& face) { return face.region == Region::umbra && face.bounded; }),
+            1);
+  EXPECT_EQ(parts.sight().region({-0.375, 1}), Region::umbra);
+  for (const BlockerSegment& blocker : blockers) {
+    EXPECT_EQ(Sight(Flatland::from_points(parts.sight().flatland().light(), {&blocker, 1})).region({-0.375, 1}),
+              Region::penumbra);
+  }
+}
+
+TEST(PartitionDegenerate, APolylineShadesLikeTheSegmentItFollows) {
+  const std::vector<Point2> light{{-3, 4}, {3, 4}};
+  const Partition one = partition_of(light, {{{{-1, 2}, {1, 2}}}}, {Fineness::regions, the_box});
+  const Partition three = partition_of(light, {{{{-1, 2}, {0, 2}}}, {{{0, 2}, {0.5, 2}}}, {{{0.25, 2}, {1, 2}}}},
+                                       {Fineness::regions, the_box});
+  EXPECT_EQ(counts(one), counts(three));
+  for (const Region region : {Region::lit, Region::penumbra, Region::umbra}) {
+    EXPECT_EQ(partition_in_box(one).area(region).exact, partition_in_box(three).area(region).exact);
+  }
+}
+
+TEST(Partition, OfOneBlockerHasTheAreasOfThePair) {
+  const std::vector<Point2> light{{-3, 4}, {3, 5}};
+  const BlockerSegment blocker{{{-1, 2}, {1, 1}}};
+  const auto pair = regions_in_box(shadow_regions(Pair::from_points(light, blocker)), the_box);
+  const PartitionInBox parts = partition_in_box(partition_of(light, {blocker}, {Fineness::regions, the_box}));
+  EXPECT_EQ(parts.area(Region::lit).exact, pair.lit.area.exact);
+  EXPECT_EQ(parts.area(Region::penumbra).exact, pair.penumbra.area.exact);
+  EXPECT_EQ(parts.area(Region::umbra).exact, pair.umbra.area.exact);
+}
+
+TEST(Partition, ChecksTheBox) {
+  const Box2 flat{{0, 0}, {1, 0}};
+  EXPECT_THROW(partition_of({{0, 0}}, {}, {Fineness::regions, flat}), PreconditionError);
+  EXPECT_THROW(partition_in_box(partition_of({{0, 0}}, {})), PreconditionError);
+}
+
+RC_GTEST_PROP(PartitionInBoxProperty, TrianglesTileTheFaces, ()) {
+  const FlatlandCase drawn = drawn_case(Domain::random);
+  const Partition parts = partition(Sight(drawn.flatland()), {Fineness::regions, the_box});
+  const PartitionInBox in_box = partition_in_box(parts);
+  const auto& vertices = parts.data().exact_vertices;
+  std::vector<Rational> twice(parts.faces().size());
+  for (const FaceTriangle& triangle : in_box.triangles) {
+    const ExactVector a = vector(vertices[triangle.corners[0]]), b = vector(vertices[triangle.corners[1]]),
+                      c = vector(vertices[triangle.corners[2]]);
+    const Rational area = cross(b - a, c - a).z;
+    RC_ASSERT(area > 0);
+    twice[triangle.face] += area;
+    const ExactVector middle = Rational(1, 3) * (a + b + c);
+    RC_ASSERT(winding(parts, parts.faces()[triangle.face], middle) == 1);
+  }
+  Rational all = 0;
+  for (std::size_t i = 0; i < twice.size(); ++i) {
+    RC_ASSERT(exact_number(twice[i] / 2).exact == in_box.faces[i].area.exact);
+    all += twice[i];
+  }
+  RC_ASSERT(all == 2 * 32 * 32);
 }
 
 }  // namespace
