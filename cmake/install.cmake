@@ -14,10 +14,15 @@ foreach(header IN ITEMS
     geometry/exact_number.h
     geometry/indices.h
     geometry/planar/extremal_lines.h
+    geometry/planar/flatland.h
     geometry/planar/pair.h
+    geometry/planar/partition.h
+    geometry/planar/partition_in_box.h
+    geometry/planar/receiver_events.h
     geometry/planar/region_of.h
     geometry/planar/regions.h
     geometry/planar/regions_in_box.h
+    geometry/planar/sight.h
     geometry/point.h
     geometry/region.h
     geometry/scene/convex_parts.h
@@ -39,6 +44,7 @@ foreach(header IN ITEMS
     shading/irradiance.h
     shading/lambert.h
     shading/light_irradiance.h
+    shading/planar_irradiance.h
     viz/display.h
     viz/grid_file.h
     viz/picture.h

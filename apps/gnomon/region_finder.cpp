@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "apps/gnomon/commands.h"
 #include "apps/gnomon/element_choice.h"
+#include "apps/gnomon/planar_sight.h"
 #include "apps/gnomon/scene_obstacles.h"
 #include "geometry/visibility/light_visibility.h"
 
@@ -30,11 +30,32 @@ RegionFinder spatial_finder(const Scene& scene, const std::string& light) {
   return finder;
 }
 
+Visibility visibility_in_plane(const planar::Sight& sight, const Point2& p) {
+  const planar::VisibleLight seen = sight.visible_light(p);
+  const planar::VisibleFraction fraction = visible_fraction(seen);
+  return {seen.region, fraction.value, fraction.error};
+}
+
+RegionFinder planar_finder(const Scene& scene, const std::string& light) {
+  const auto sights = std::make_shared<std::vector<planar::Sight>>();
+  RegionFinder finder;
+  for (const PlanarLight* l : chosen_lights(scene.planar_lights, light)) {
+    finder.lights.push_back(l->name);
+    sights->push_back(planar_sight(scene, *l));
+  }
+  finder.at = [sights](const std::array<double, 3>& p) {
+    std::vector<Visibility> seen;
+    for (const planar::Sight& sight : *sights) seen.push_back(visibility_in_plane(sight, {p[0], p[1]}));
+    return seen;
+  };
+  return finder;
+}
+
 }  // namespace
 
 RegionFinder region_finder(const Scene& scene, const std::string& light) {
   if (scene.dimension == 3) return spatial_finder(scene, light);
-  throw UnsupportedError(scene.source + ": regions of scenes of dimension 2 are not available in this version");
+  return planar_finder(scene, light);
 }
 
 }  // namespace gnomon

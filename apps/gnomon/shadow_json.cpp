@@ -78,6 +78,26 @@ void add_shadow(Json& json, const ShadowResult& result, std::size_t pair, const 
   }
 }
 
+/// What a light's partition says of one region.
+Json region_json(const PlanarLightResult& light, Region region) {
+  const ExactNumber& area = light.in_box.area(region);
+  return {{"components", light.partition.count(region)}, {"area_in_box", area.nearest}, {"exact", area.exact}};
+}
+
+/// Every light behind all of its blockers together.
+Json lights_json(const ShadowResult& result) {
+  Json list = Json::array();
+  for (const PlanarLightResult& light : result.planar_lights) {
+    Json json = {{"light", light.light}, {"blockers", light.blockers}};
+    for (const Region region : {Region::lit, Region::penumbra, Region::umbra}) {
+      json[std::string(name(region))] = region_json(light, region);
+    }
+    json["boundary_edges"] = light.partition.edges().size();
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
 }  // namespace
 
 Json pair_json(const ScenePair& pair) {
@@ -104,6 +124,7 @@ Json shadow_json(const ShadowResult& result, const std::vector<ScenePair>& pairs
     if (pairs[i].supported()) add_shadow(pair, result, i, pairs[i]);
     document["pairs"].push_back(std::move(pair));
   }
+  if (!result.planar_lights.empty()) document["lights"] = lights_json(result);
   return document;
 }
 

@@ -98,17 +98,32 @@ std::string table(const ShadowResult& result, const std::vector<ScenePair>& pair
          ": in the box, in " + size_unit(*result.scene) + '\n';
 }
 
+/// Every light behind all of its blockers together.
+std::string together_text(const ShadowResult& result) {
+  std::string text;
+  for (const PlanarLightResult& light : result.planar_lights) {
+    text += '\n' + light.light + " / all " + counted(light.blockers.size(), "segment") + " together\n";
+    std::vector<TextRow> rows;
+    for (const Region region : {Region::lit, Region::penumbra, Region::umbra}) {
+      rows.push_back({std::string(name(region)), counted(light.partition.count(region), "component"),
+                      number_text(light.in_box.area(region).nearest) + ' ' + size_unit(*result.scene) + " in the box"});
+    }
+    text += aligned(rows, 2);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string shadow_summary(const ShadowResult& result, const std::vector<ScenePair>& pairs) {
   std::string text = "scene      " + scene_text(*result.scene) + "\nclip box   " +
                      box_text(result.clip_box, result.scene->dimension) + "\n\n";
-  if (pairs.size() > most_blocks) return text + table(result, pairs);
+  if (pairs.size() > most_blocks) return text + table(result, pairs) + together_text(result);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (i != 0) text += '\n';
     text += block(pairs[i], result, i);
   }
-  return text;
+  return text + together_text(result);
 }
 
 std::string box_text(const Box3& box, int dimension) {

@@ -52,6 +52,16 @@ TEST_F(RegionsCommand, RunsPointByPointAndLightsInFileOrder) {
                           "0,0,0,sun,umbra,0,0"));
 }
 
+TEST_F(RegionsCommand, TellsTheSameInThePlaneBehindAllSegmentsTogether) {
+  write("roof.scene.json", R"({"gnomon": 1, "dimension": 2,
+    "lights": [{"name": "tube", "shape": "segment", "vertices": [[-1, 4], [1, 4]]}],
+    "blockers": [{"name": "roof", "shape": "polyline", "vertices": [[-1, 2], [0, 2.5], [1, 2]]}]})");
+  write("plane.csv", "x,y\n0,1\n-1.5,0\n5,1\n");
+  EXPECT_THAT(lines(gnomon("regions roof.scene.json --at plane.csv").out),
+              ElementsAre("x,y,light,region,visible_fraction,error_bound", "0,1,tube,umbra,0,0",
+                          HasSubstr("-1.5,0,tube,penumbra,0.25,"), "5,1,tube,lit,1,0"));
+}
+
 TEST_F(RegionsCommand, EchoesFieldsAsTheyWereWritten) {
   write("written.csv", "x, y,z,label\r\n 4.00,-0,0e5,\"a, b\"\r\n");
   EXPECT_THAT(lines(gnomon("regions table.scene.json --at written.csv").out),
