@@ -25,7 +25,7 @@ using planar::Sight;
 /// Segments of a length that leaves some light between any number of them.
 Flatland random_flatland(std::int64_t n) {
   std::mt19937 random(7);
-  const auto draw = [&](double reach) { return reach * (2 * (random() / 4294967295.0) - 1); };
+  const auto draw = [&](double reach) { return reach * (2 * (double(random()) / 4294967295.0) - 1); };
   const double length = 10 / std::sqrt(double(n));
   std::vector<BlockerSegment> blockers;
   for (std::int64_t i = 0; i < n; ++i) {
@@ -38,7 +38,8 @@ Flatland random_flatland(std::int64_t n) {
 std::vector<Point2> random_points() {
   std::mt19937 random(11);
   std::vector<Point2> points(256);
-  for (Point2& p : points) p = {20 * (random() / 4294967295.0) - 10, 20 * (random() / 4294967295.0) - 10};
+  for (Point2& p : points)
+    p = {20 * (double(random()) / 4294967295.0) - 10, 20 * (double(random()) / 4294967295.0) - 10};
   return points;
 }
 
@@ -62,8 +63,8 @@ void partition_of_plane(benchmark::State& state) {
   }
   state.counters["faces"] = double(faces);
   state.counters["edges"] = double(edges);
-  state.counters["us_per_edge"] = benchmark::Counter(
-      double(edges) * 1e-6, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["per_edge"] =
+      benchmark::Counter(double(edges), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 /// All lines through two ends.
