@@ -16,7 +16,7 @@ namespace {
 constexpr double unit = 0x1p-53;
 
 /// The widest bound per strength that is taken from the fast level.
-constexpr double widest_bound = 1e-9;
+constexpr double widest_bound = 1e-6;
 
 /// Of coordinates rounded to the nearest double; root of three is below 1.74.
 SightDirection rounded(const ExactVector& v) {

@@ -16,7 +16,7 @@ namespace gnomon {
 /// Degenerate: infinite at a visible point of a point or linear light.
 /// Exactness:  with an error bound. What is visible is exact; where the fast level does not decide, or has no bound
 /// below
-///             1e-9 of the strength, the exact level makes the polygons.
+///             1e-6 of the strength, the exact level makes the polygons.
 /// Cost:       memory is kept for the next question, so one object per thread.
 class LightIrradiance {
  public:

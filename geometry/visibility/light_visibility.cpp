@@ -7,7 +7,7 @@ namespace gnomon {
 namespace {
 
 /// The widest bound of a fraction that is handed on.
-constexpr double widest_bound = 1e-9;
+constexpr double widest_bound = 1e-6;
 
 Box3 box_around(const ClosedSurface& surface) {
   Box3 box{surface.vertices.front(), surface.vertices.front()};

@@ -29,7 +29,7 @@ class PreparedObstacles {
 /// What points see of one light: asked at the fast level, and at the exact level where that one does not decide.
 ///
 /// Definition: exact_visibility.
-/// Exactness:  the region is exact. The fraction is within its bound, which is at most 1e-9: where the fast level has
+/// Exactness:  the region is exact. The fraction is within its bound, which is at most 1e-6: where the fast level has
 /// no
 ///             better one, the exact level is asked as well.
 /// Cost:       memory is kept for the next question, so one object per thread.

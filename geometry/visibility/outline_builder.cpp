@@ -95,12 +95,11 @@ bool OutlineBuilder::certainly_behind_apex() const {
   });
 }
 
-OutlineBuilder::Depth OutlineBuilder::depth_of_rays() const {
+OutlineBuilder::Depth OutlineBuilder::depth_of(std::span<const Ray> rays) const {
   bool before = false;
   bool beyond = false;
   int apex_side = 0;
-  for (std::size_t k = first_; k < outlines_.rays.size(); ++k) {
-    const Ray& ray = outlines_.rays[k];
+  for (const Ray& ray : rays) {
     const double error = plane_.height_error + plane_.depth_error(ray.size, unit * ray.size);
     const double left = plane_.height - plane_.depth(ray.direction);
     int sign = left > error ? 1 : left < -error ? -1 : 0;
@@ -166,7 +165,7 @@ Seen OutlineBuilder::append_flat(std::span<const Point3> corners, std::span<cons
                                  std::uint32_t element) {
   append_rays(corners, false);
   if (certainly_outside() || certainly_behind_apex()) return dropped();
-  const Depth depth = depth_of_rays();
+  const Depth depth = depth_of(std::span(outlines_.rays).subspan(first_));
   if (depth == Depth::behind) return dropped();
   append_planes(names, false);
   const int turn = side(apex_, outlines_.planes[first_], outlines_.rays[first_ + 2]);
@@ -229,7 +228,10 @@ Seen OutlineBuilder::append_solid(const ConvexSolid& solid, std::uint32_t elemen
     names.push_back(edges[k].name);
   }
   if (certainly_outside() || certainly_behind_apex()) return dropped();
-  const Depth depth = depth_of_rays();
+  // What bulges between the silhouette and the apex, or away from it, may lie on the light's other side.
+  std::vector<Ray> corners;
+  for (const std::uint32_t i : solid.corners()) corners.push_back(ray_through(apex_, points[i]));
+  const Depth depth = depth_of(corners);
   if (depth == Depth::behind) return dropped();
   append_planes(names, false);
   if (side(apex_, outlines_.planes[first_], outlines_.rays[first_ + 2]) < 0) {

@@ -41,7 +41,7 @@ class OutlineBuilder {
   Seen seen_from_inside(const ConvexSolid& solid) const;
   bool certainly_outside() const;
   bool certainly_behind_apex() const;
-  Depth depth_of_rays() const;
+  Depth depth_of(std::span<const Ray> rays) const;
   Beyond light_beyond(const Point3& a, const Point3& b, const Point3& c) const;
   bool light_beyond_all_shown(const ConvexSolid& solid) const;
   Seen finished(std::uint32_t element);

@@ -33,6 +33,7 @@ void check_fast_level(Domain domain, int most_blockers) {
     if (!seen) return;
     ++decided;
     const Visibility exact = exact_visibility(drawn.light, {drawn.blockers, {}}, drawn.point);
+    RC_LOG() << laws::description(drawn);
     RC_ASSERT(name(seen->region) == name(exact.region));
     RC_ASSERT(within_bounds(seen->fraction, seen->error_bound, exact));
   }));
@@ -47,6 +48,13 @@ TEST(FastVisibilityAgreement, MatchesTheExactLevelNearDegeneracy) {
   check_fast_level(Domain::near_degenerate, 6);
 }
 
+TEST(FastVisibilityRegression, ASolidBulgesThroughTheLightsPlaneTowardsThePoint) {
+  const Light light = AreaLight{ConvexPolygon::from_points({{2, 2, 2}, {0, 0, 0}, {0, 1, 1}}), true};
+  const std::vector<ConvexBlocker> blockers = {ConvexSolid::hull_of({{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}})};
+  LightVisibility visibility(light, PreparedObstacles({blockers, {}}));
+  EXPECT_EQ(visibility.at({0, 6, -1}).region, Region::penumbra);
+}
+
 TEST(LightVisibilityAgreement, EveryLightIsAnsweredAsTheExactLevelDoes) {
   const auto cases = laws::sight_cases(Domain::random, {{LightKind::point, LightKind::direction, LightKind::segment,
                                                          LightKind::polygon, LightKind::rounded_polygon},
@@ -59,7 +67,7 @@ TEST(LightVisibilityAgreement, EveryLightIsAnsweredAsTheExactLevelDoes) {
     const Visibility exact = exact_visibility(drawn.light, {drawn.blockers, {}}, drawn.point);
     RC_ASSERT(name(seen.region) == name(exact.region));
     RC_ASSERT(within_bounds(seen.fraction, seen.error_bound, exact));
-    RC_ASSERT(seen.error_bound <= 1e-9);
+    RC_ASSERT(seen.error_bound <= 1e-6);
   }));
 }
 
