@@ -57,10 +57,10 @@ TEST_F(RenderedPicture, OfThePlaneIsTheSameFromSceneAndFolder) {
 }
 
 TEST_F(RenderedPicture, WarnsOfPairsThatAreNotInIt) {
-  write("mixed.scene.json", mixed_scene);
-  const Outcome run = gnomon("render mixed.scene.json --out mixed.png");
+  write("bent_lamp.scene.json", bent_lamp_scene);
+  const Outcome run = gnomon("render bent_lamp.scene.json --out lamp.png");
   EXPECT_EQ(run.code, 0);
-  EXPECT_THAT(run.err, HasSubstr("5 of 6 pairs"));
+  EXPECT_THAT(run.err, HasSubstr("1 of 2 pairs"));
 }
 
 TEST_F(RenderedPicture, FollowsTheExamplesInTheHelp) {

@@ -67,11 +67,20 @@ inline const std::string mixed_scene = R"({
     {"name": "post", "shape": "polytope", "vertices": [[5,0,0], [6,0,0], [5,1,0], [5,0,2]]}]
 })";
 
-/// Nothing in it is supported.
-inline const std::string sun_scene = R"({
+/// A lamp whose vertices are not exactly coplanar: the table in front of it is supported, the shelf beside it is not.
+inline const std::string bent_lamp_scene = R"({
   "gnomon": 1, "dimension": 3,
-  "lights": [{"name": "sun", "shape": "direction", "direction": [0,0,-1]}],
-  "blockers": [{"name": "table", "shape": "polygon", "vertices": [[-2,-2,2], [2,-2,2], [2,2,2], [-2,2,2]]}]
+  "lights": [{"name": "lamp", "shape": "polygon", "vertices": [[-1,-1,4], [-1,1,4], [1,1,4], [1,-1,4.000000000001]]}],
+  "blockers": [
+    {"name": "table", "shape": "polygon", "vertices": [[-2,-2,2], [2,-2,2], [2,2,2], [-2,2,2]]},
+    {"name": "shelf", "shape": "polygon", "vertices": [[2,-1,3], [2,1,3], [2,1,5], [2,-1,5]]}]
+})";
+
+/// Nothing in it is supported.
+inline const std::string bent_shelf_scene = R"({
+  "gnomon": 1, "dimension": 3,
+  "lights": [{"name": "lamp", "shape": "polygon", "vertices": [[-1,-1,4], [-1,1,4], [1,1,4], [1,-1,4.000000000001]]}],
+  "blockers": [{"name": "shelf", "shape": "polygon", "vertices": [[2,-1,3], [2,1,3], [2,1,5], [2,-1,5]]}]
 })";
 
 }  // namespace gnomon

@@ -14,7 +14,7 @@ class RenderCommand : public Program {
  protected:
   RenderCommand() {
     write("table.scene.json", table_scene);
-    write("sun.scene.json", sun_scene);
+    write("bent_shelf.scene.json", bent_shelf_scene);
   }
 };
 
@@ -49,7 +49,7 @@ TEST_F(RenderCommand, EndsWith3ForAMissingSceneOrAFolderWithoutAResult) {
 }
 
 TEST_F(RenderCommand, EndsWith4WhereNoPairIsSupported) {
-  EXPECT_EQ(gnomon("render sun.scene.json --out sun.png").code, 4);
+  EXPECT_EQ(gnomon("render bent_shelf.scene.json --out shelf.png").code, 4);
 }
 
 TEST_F(RenderCommand, RefusesToChoosePairsOfAFinishedResult) {

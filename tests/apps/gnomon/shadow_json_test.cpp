@@ -86,16 +86,43 @@ TEST_F(ShadowJson, ShowsABoundedUmbraUnderALargeLamp) {
   EXPECT_EQ(pair["umbra"]["volume_in_box"], 4.0 / 3);  // a pyramid of base 2 x 2 and height 1
 }
 
-TEST_F(ShadowJson, GivesUnsupportedPairsAPositionOrNullAndAReason) {
+TEST_F(ShadowJson, GivesUnsupportedPairsAPositionAndAReason) {
+  const json pairs = document(bent_lamp_scene)["pairs"];
+  ASSERT_EQ(pairs.size(), 2U);
+  EXPECT_EQ(pairs[0]["supported"], true);
+  EXPECT_EQ(pairs[1]["position"], "blocker_crosses_light_plane");
+  EXPECT_EQ(pairs[1]["supported"], false);
+  EXPECT_FALSE(pairs[1]["reason"].get<std::string>().empty());
+  for (const char* absent : {"planes", "occlusion", "umbra", "penumbra"}) EXPECT_FALSE(pairs[1].contains(absent));
+}
+
+TEST_F(ShadowJson, NamesPositionsAndEmptyShadows) {
   const json pairs = document(mixed_scene)["pairs"];
   ASSERT_EQ(pairs.size(), 6U);
   EXPECT_EQ(pairs[1]["position"], "light_crosses_blocker_plane");
-  EXPECT_TRUE(pairs[2]["position"].is_null());  // a solid has no plane
-  for (std::size_t i = 1; i < 6; ++i) {
-    EXPECT_EQ(pairs[i]["supported"], false);
-    EXPECT_FALSE(pairs[i]["reason"].get<std::string>().empty());
-    for (const char* absent : {"planes", "occlusion", "umbra", "penumbra"}) EXPECT_FALSE(pairs[i].contains(absent));
+  EXPECT_EQ(pairs[1]["umbra"]["empty"], true);
+  EXPECT_EQ(pairs[1]["penumbra"]["components"], 2);
+  EXPECT_EQ(pairs[4]["position"], "coplanar");  // the sun's rays run along the wall
+  EXPECT_EQ(pairs[4]["occlusion"]["empty"], true);
+}
+
+TEST_F(ShadowJson, NamesTheEdgesOfASolidByTheirVerticesAndCountsPockets) {
+  const json pair = document(mixed_scene)["pairs"].at(2);
+  ASSERT_FALSE(pair["planes"].empty());
+  for (const json& plane : pair["planes"]) {
+    if (plane["edge"]["of"] == "blocker") EXPECT_EQ(plane["edge"]["vertices"].size(), 2U);
   }
+  EXPECT_EQ(pair["umbra"]["pockets"], 1);
+}
+
+TEST_F(ShadowJson, TellsWhichVerticesAPartOfABlockerHas) {
+  const json pairs = document(R"({"gnomon": 1, "dimension": 3,
+    "lights": [{"name": "bulb", "shape": "point", "position": [0,0,9]}],
+    "blockers": [{"name": "arrow", "shape": "concave_polygon", "vertices": [[0,0,0], [4,0,0], [1,1,0], [0,4,0]]}]})")
+      ["pairs"];
+  ASSERT_EQ(pairs.size(), 2U);
+  EXPECT_EQ(pairs[0]["blocker"], "arrow#0");
+  EXPECT_EQ(pairs[0]["blocker_vertices"].size(), 3U);
 }
 
 TEST_F(ShadowJson, ListsPairsLightByLightInFileOrder) {
