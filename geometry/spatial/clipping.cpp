@@ -1,5 +1,6 @@
 #include "geometry/spatial/clipping.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "geometry/spatial/half_edge_polyhedron.h"
@@ -74,6 +75,7 @@ ConvexPolyhedron clipped(ExactSpace& space, const ConvexPolyhedron& polyhedron, 
                          std::span<const PlaneId> last) {
   if (polyhedron.empty()) return polyhedron;
   mix(cuts);
+  std::stable_partition(cuts.begin(), cuts.end(), [](const Cut& cut) { return cut.first; });
   HalfEdgePolyhedron result(space, polyhedron);
   Waiting waiting(space, result, cuts);
   for (std::size_t i = 0; i < cuts.size() && !result.empty(); ++i) {

@@ -12,6 +12,7 @@ namespace gnomon {
 struct Cut {
   PlaneId plane;
   std::optional<VertexId> outside;  ///< a vertex of the polyhedron known to lie strictly outside; else one is sought
+  bool first = false;               ///< cut with before all that are not: it takes away where many others meet
 };
 
 /// The part of a polyhedron inside every plane; empty if that has no interior. Faces keep their planes; every plane

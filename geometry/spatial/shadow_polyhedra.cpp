@@ -49,7 +49,10 @@ ConvexPolyhedron part_inside(ExactSpace& space, const ConvexPolyhedron& polyhedr
                              const std::vector<PlaneId>& planes) {
   std::vector<Cut> cuts;
   cuts.reserve(planes.size());
-  for (const PlaneId plane : planes) cuts.push_back({plane, std::nullopt});
+  // Planes through edges of one facet meet beyond it, often many in one point.
+  for (const PlaneId plane : planes) {
+    cuts.push_back({plane, std::nullopt, space.name(plane).kind == FacetKind::blocker_face});
+  }
   return clipped(space, polyhedron, std::move(cuts));
 }
 

@@ -110,7 +110,7 @@ TEST_F(ShadowJson, NamesTheEdgesOfASolidByTheirVerticesAndCountsPockets) {
   const json pair = document(mixed_scene)["pairs"].at(2);
   ASSERT_FALSE(pair["planes"].empty());
   for (const json& plane : pair["planes"]) {
-    if (plane["edge"]["of"] == "blocker") EXPECT_EQ(plane["edge"]["vertices"].size(), 2U);
+    EXPECT_EQ(plane["edge"].contains("vertices"), plane["edge"]["of"] == "blocker");
   }
   EXPECT_EQ(pair["umbra"]["pockets"], 1);
 }

@@ -70,8 +70,8 @@ TEST(PairPosition, OfADirectionalLightIsStandardUnlessItsRaysRunAlongTheBlocker)
 }
 
 TEST(PairPosition, OfASolidSaysWhetherTheLightReachesIntoItOrTouchesIt) {
-  const ConvexBlocker cube = ConvexSolid::hull_of(
-      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}});
+  const ConvexBlocker cube =
+      ConvexSolid::hull_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}});
   EXPECT_EQ(pair_position(LinearLight{{-1, 0.5, 0.5}, {2, 0.5, 0.5}}, cube), Position::light_crosses_blocker_plane);
   EXPECT_EQ(pair_position(LinearLight{{-1, 0.5, 1}, {2, 0.5, 1}}, cube), Position::touching);
   EXPECT_EQ(pair_position(LinearLight{{-1, -1, 0.5}, {1, -1, 0.5}}, cube), Position::standard);
