@@ -6,7 +6,7 @@ include(CMakePackageConfigHelpers)
 set(gnomon_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/gnomon)
 
 install(TARGETS gnomon)
-install(TARGETS gnomon_geometry gnomon_scene EXPORT gnomonTargets)
+install(TARGETS gnomon_geometry gnomon_scene gnomon_shading EXPORT gnomonTargets)
 install(TARGETS gnomon_viz EXPORT gnomonVizTargets)
 foreach(header IN ITEMS
     geometry/contact.h
@@ -14,10 +14,15 @@ foreach(header IN ITEMS
     geometry/exact_number.h
     geometry/indices.h
     geometry/planar/extremal_lines.h
+    geometry/planar/flatland.h
     geometry/planar/pair.h
+    geometry/planar/partition.h
+    geometry/planar/partition_in_box.h
+    geometry/planar/receiver_events.h
     geometry/planar/region_of.h
     geometry/planar/regions.h
     geometry/planar/regions_in_box.h
+    geometry/planar/sight.h
     geometry/point.h
     geometry/region.h
     geometry/scene/convex_parts.h
@@ -33,8 +38,16 @@ foreach(header IN ITEMS
     geometry/spatial/position.h
     geometry/spatial/shadow_volume.h
     geometry/spatial/volume_mesh.h
+    geometry/visibility/blocker_set.h
+    geometry/visibility/fast_visibility.h
+    geometry/visibility/light_visibility.h
     geometry/visibility/visibility.h
+    shading/irradiance.h
+    shading/lambert.h
+    shading/light_irradiance.h
+    shading/planar_irradiance.h
     viz/display.h
+    viz/grid_file.h
     viz/picture.h
     viz/shadow_result.h
     viz/shadow_writer.h)

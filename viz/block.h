@@ -15,7 +15,7 @@ namespace gnomon::viz {
 /// One leaf of the tree that is written, drawn and read back.
 struct Block {
   std::vector<std::string> path;  ///< for instance {"volumes", "lamp", "table", "umbra"}
-  std::string kind;               ///< light, blocker, receiver, volume, solid or extremal_planes
+  std::string kind;               ///< light, blocker, receiver, volume, solid, extremal_planes, region or boundaries
   Fields fields;                  ///< also in the field data of `data`
   vtkSmartPointer<vtkPointSet> data;
 
@@ -49,5 +49,9 @@ std::vector<Block> shadow_blocks(const ShadowResult& result);
 /// polygons, counterclockwise, in the place of volumes, extremal lines stand for planes, segments are lines. There are
 /// no solids.
 std::vector<Block> planar_shadow_blocks(const ShadowResult& result);
+
+/// Adds, for every light of a result of dimension 2 that is behind several segments, its regions as triangles and the
+/// lines between them: `regions/LIGHT/{lit,penumbra,umbra}` and `boundaries/LIGHT`.
+void append_partition_blocks(std::vector<Block>& blocks, const ShadowResult& result);
 
 }  // namespace gnomon::viz

@@ -40,8 +40,7 @@ Json volume_json(const VolumeFacts& facts, const VolumeMesh& mesh) {
 
 Json pair_json(const PairResult& pair) {
   Json json = {{"light", pair.light},           {"blocker", pair.blocker},     {"light_id", pair.light_id},
-               {"blocker_id", pair.blocker_id}, {"supported", pair.supported}, {"position", nullptr}};
-  if (pair.position) json["position"] = gnomon::name(*pair.position);
+               {"blocker_id", pair.blocker_id}, {"supported", pair.supported}, {"position", gnomon::name(pair.position)}};
   if (!pair.supported) return json;
   json["occlusion"] = volume_json(pair.volumes.occlusion_facts, pair.meshes.occlusion);
   json["umbra"] = volume_json(pair.volumes.umbra_facts, pair.meshes.umbra);

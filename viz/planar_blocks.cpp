@@ -195,6 +195,7 @@ std::vector<Block> planar_shadow_blocks(const ShadowResult& result) {
   for (const auto append : {append_regions, append_lines}) {
     for (const PlanarPairResult* pair : pairs) append(blocks, result, *pair);
   }
+  append_partition_blocks(blocks, result);
   return blocks;
 }
 

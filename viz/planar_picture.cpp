@@ -1,21 +1,25 @@
 #include "viz/planar_picture.h"
 
 #include <vtkActor.h>
+#include <vtkBillboardTextActor3D.h>
 #include <vtkCamera.h>
-#include <vtkCellData.h>
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRegularPolygonSource.h>
 #include <vtkRenderer.h>
+#include <vtkTextProperty.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <optional>
+#include <string>
 
 #include "geometry/spatial/shadow_volume.h"
 #include "viz/palette.h"
+#include "viz/planar_lines.h"
 #include "viz/vector.h"
 #include "viz/vtk_cells.h"
 
@@ -33,16 +37,16 @@ struct Stroke {
 };
 
 constexpr double edge_width = 1.5;
+constexpr double label_size = 11;
+/// With more lines than this, names would cover the drawing.
+constexpr std::size_t most_labels = 12;
+/// On shorter lines names would hide each other.
+constexpr double shortest_labelled = 120;
 constexpr Stroke separating_stroke{palette.separating, 2, 9};
 constexpr Stroke supporting_stroke{palette.supporting, 2};
 constexpr Stroke blocker_stroke{palette.blocker, 8};
 constexpr Stroke light_stroke{palette.light, 8};
 constexpr Stroke receiver_stroke{palette.receiver, 6};
-
-struct Segment {
-  Point3 start;
-  Point3 end;
-};
 
 /// The dashes of a stroke along a segment, lengths in the scene's unit; a dash begins and ends it.
 std::vector<Segment> dashes(const Segment& segment, double dash) {
@@ -63,6 +67,7 @@ class Sheet {
   Sheet(vtkRenderer& renderer, const Box3& box, const DrawingSize& size)
       : renderer_(renderer), box_(box), half_height_(framed_half_height(box, size)) {
     unit_per_pixel_ = 2 * half_height_ / size.height;
+    window_pixels_ = renderer.GetSize()[1] / size.height;
     set_camera();
   }
 
@@ -88,6 +93,23 @@ class Sheet {
       for (const Segment& part : dashes(segment, dash)) ribbons.push_back(ribbon(part, look.width * unit_per_pixel_));
     }
     if (!ribbons.empty()) fill(quads(ribbons), look.color, layer);
+  }
+
+  double pixels(double length) const { return length / unit_per_pixel_; }
+
+  /// Words about a point, of one size whatever the scale.
+  void label(const Point3& at, const std::string& text, const Color& color) {
+    vtkNew<vtkBillboardTextActor3D> actor;
+    actor->SetInput(text.c_str());
+    actor->SetPosition(at.x, at.y, 0.01 * half_height_ * (static_cast<double>(Layer::light) + 1));
+    vtkTextProperty* look = actor->GetTextProperty();
+    look->SetFontSize(std::max(6, static_cast<int>(std::lround(label_size * window_pixels_))));
+    look->SetColor(color[0], color[1], color[2]);
+    look->SetBackgroundColor(1, 1, 1);
+    look->SetBackgroundOpacity(0.75);
+    look->SetJustificationToCentered();
+    look->SetVerticalJustificationToCentered();
+    renderer_.AddActor(actor);
   }
 
   void disc(const Point3& centre, double diameter, const Color& color, Layer layer) {
@@ -160,32 +182,18 @@ class Sheet {
   Box3 box_;
   double half_height_;
   double unit_per_pixel_ = 1;
-  double next_ = 0;  ///< what is drawn later lies above what is drawn earlier, within one layer
+  double window_pixels_ = 1;  ///< of the window for one of the finished picture
+  double next_ = 0;           ///< what is drawn later lies above what is drawn earlier, within one layer
 };
 
-bool is_region(const PictureBlock& block, const std::string& name) {
-  return block.kind == "volume" && block.path.back() == name;
+/// The regions of a light behind all blockers together, where they are known; or those of every pair.
+bool is_region(const PictureSource& source, const PictureBlock& block, const std::string& name) {
+  const bool together = std::ranges::count(source.blocks, "region", &PictureBlock::kind) > 0;
+  return block.kind == (together ? "region" : "volume") && block.path.back() == name;
 }
 
 std::size_t count(const PictureSource& source, const std::string& kind) {
   return static_cast<std::size_t>(std::ranges::count(source.blocks, kind, &PictureBlock::kind));
-}
-
-/// The two-point cells of a block, those of one facet kind or all.
-std::vector<Segment> segments_of(const PictureBlock& block, std::optional<FacetKind> kind = {}) {
-  std::vector<Segment> segments;
-  vtkDataArray* kinds = block.data->GetCellData()->GetArray("facet_kind");
-  for (vtkIdType i = 0; i < block.data->GetNumberOfCells(); ++i) {
-    if (kind && (kinds == nullptr || static_cast<FacetKind>(kinds->GetComponent(i, 0)) != *kind)) continue;
-    vtkIdType size = 0;
-    const vtkIdType* points = nullptr;
-    block.data->GetCellPoints(i, size, points);
-    if (size != 2) continue;
-    double p[2][3];
-    for (int k = 0; k < 2; ++k) block.data->GetPoint(points[k], p[k]);
-    segments.push_back({{p[0][0], p[0][1], 0}, {p[1][0], p[1][1], 0}});
-  }
-  return segments;
 }
 
 /// Where shadows of several lights lie above one another, all are to be seen.
@@ -204,15 +212,26 @@ Color region_color(const PictureSource& source, const Color& color) {
 // Drawn in the order of the layers, as translucent colours must be where depth is not peeled.
 void draw_regions(Sheet& sheet, const PictureSource& source, const std::string& name, const Color& color, Layer layer) {
   for (const PictureBlock& block : source.blocks) {
-    if (is_region(block, name)) sheet.fill(block.data, color, layer, region_opacity(source));
+    if (is_region(source, block, name)) sheet.fill(block.data, color, layer, region_opacity(source));
   }
 }
 
 void draw_lines(Sheet& sheet, const PictureSource& source) {
   for (const PictureBlock& block : source.blocks) {
-    if (block.kind != "extremal_planes") continue;
+    if (!is_line_block(source, block)) continue;
     sheet.stroke(segments_of(block, FacetKind::supporting_blocker_plane), supporting_stroke, Layer::line);
     sheet.stroke(segments_of(block, FacetKind::separating_blocker_plane), separating_stroke, Layer::line);
+  }
+}
+
+void draw_labels(Sheet& sheet, const PictureSource& source) {
+  const std::map<std::string, NamedLine> labels = named_lines(source);
+  if (labels.size() > most_labels) return;
+  for (const auto& [name, label] : labels) {
+    const bool separating = label.kind == FacetKind::separating_blocker_plane;
+    const Point3 way = label.segment.end - label.segment.start;
+    if (sheet.pixels(length(way)) < shortest_labelled) continue;
+    sheet.label(label.segment.start + 0.8 * way, name, separating ? palette.separating : palette.supporting);
   }
 }
 
@@ -243,7 +262,7 @@ std::string titled(const PictureSource& source, const std::string& kind) {
 
 bool has_line(const PictureSource& source, FacetKind kind) {
   return std::ranges::any_of(source.blocks, [&](const PictureBlock& block) {
-    return block.kind == "extremal_planes" && !segments_of(block, kind).empty();
+    return is_line_block(source, block) && !segments_of(block, kind).empty();
   });
 }
 
@@ -257,13 +276,15 @@ void add_planar_drawing(vtkRenderer& renderer, const PictureSource& source, cons
   sheet.frame_box(palette.edge);
   draw_lines(sheet, source);
   draw_elements(sheet, source);
+  draw_labels(sheet, source);
 }
 
 std::vector<LegendEntry> planar_legend(const PictureSource& source) {
   using enum FacetKind;
   std::vector<LegendEntry> list;
   const auto shows = [&](const std::string& region) {
-    return std::ranges::any_of(source.blocks, [&](const PictureBlock& block) { return is_region(block, region); });
+    return std::ranges::any_of(source.blocks,
+                               [&](const PictureBlock& block) { return is_region(source, block, region); });
   };
   if (count(source, "light") > 0) list.push_back({titled(source, "light"), palette.light});
   if (count(source, "blocker") > 0) list.push_back({titled(source, "blocker"), palette.blocker});

@@ -18,7 +18,7 @@ CellName volume_cell(const PairResult& pair, std::string_view volume) {
   CellName cell;
   cell.light_id = static_cast<std::int32_t>(pair.light_id);
   cell.blocker_id = static_cast<std::int32_t>(pair.blocker_id);
-  if (volume == "umbra") {
+  if (volume == "umbra" || volume == "umbra_pockets") {
     cell.region = static_cast<std::uint8_t>(Region::umbra);
     cell.visible_fraction = 0;
   } else if (volume == "penumbra") {
@@ -103,6 +103,7 @@ void append_volumes(std::vector<Block>& blocks, const ShadowResult& result, cons
   append("occlusion", pair.meshes.occlusion);
   append("umbra", pair.meshes.umbra);
   append("penumbra", pair.meshes.penumbra);
+  if (pair.is_solid) append("umbra_pockets", pair.meshes.umbra_pockets);
 }
 
 void append_solids(std::vector<Block>& blocks, const ShadowResult& result, const PairResult& pair) {

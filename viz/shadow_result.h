@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "geometry/planar/partition.h"
+#include "geometry/planar/partition_in_box.h"
 #include "geometry/planar/regions.h"
 #include "geometry/planar/regions_in_box.h"
 #include "geometry/point.h"
@@ -20,9 +22,10 @@ struct PairResult {
   std::uint32_t light_id = 0;    ///< index into Scene::lights
   std::uint32_t blocker_id = 0;  ///< index into Scene::blockers
   std::string light;
-  std::string blocker;               ///< a part of a larger blocker is named `vase#12`
-  std::optional<Position> position;  ///< nothing where a position is not defined (solids, directional lights)
-  bool supported = false;            ///< false: `volumes` and `meshes` are not there
+  std::string blocker;  ///< a part of a larger blocker is named `vase#12`
+  Position position = Position::standard;
+  bool supported = false;  ///< false: `volumes` and `meshes` are not there
+  bool is_solid = false;   ///< the blocker has an inside, and the umbra may have pockets outside of it
   ShadowVolumes volumes;
   ShadowMeshes meshes;
 };
@@ -38,12 +41,24 @@ struct PlanarPairResult {
   planar::ShadowRegionsInBox in_box;
 };
 
+/// What one light of a scene of dimension 2 gives behind all segments asked for together.
+struct PlanarLightResult {
+  std::uint32_t light_id = 0;  ///< index into Scene::planar_lights
+  std::string light;
+  std::vector<std::string> blockers;       ///< names of the segments, in the partition's order
+  std::vector<std::uint32_t> blocker_ids;  ///< of the same: indices into Scene::planar_blockers
+  planar::Partition partition;             ///< of the clip box
+  planar::PartitionInBox in_box;
+};
+
 /// A scene and its shadows, ready to be written and drawn.
 struct ShadowResult {
   const Scene* scene = nullptr;  ///< never null when used; outlives the result
   Box3 clip_box;                 ///< the box by which the meshes are cut; in dimension 2, z runs from 0 to 0
   std::vector<PairResult> pairs;
   std::vector<PlanarPairResult> planar_pairs = {};  ///< dimension 2, where `pairs` is empty
+  /// Dimension 2: the lights that are behind more than one segment.
+  std::vector<PlanarLightResult> planar_lights = {};
 };
 
 }  // namespace gnomon

@@ -75,7 +75,8 @@ class Result:
         if not any(b["kind"] == kind and b["file"] and region in (None, b["path"][-1]) for b in self.blocks):
             return None
         folder = {"light": "scene/lights", "blocker": "scene/blockers", "receiver": "scene/receivers",
-                  "volume": "volumes", "extremal_planes": "extremal_planes"}[kind]
+                  "volume": "volumes", "extremal_planes": "extremal_planes", "region": "regions",
+                  "boundaries": "boundaries"}[kind]
         extract = simple.ExtractBlock(registrationName=name, Input=self.reader)
         extract.Selectors = ["//" + folder if region is None else f"//{folder}/*/*/{region}"]
         extract.UpdatePipeline()
@@ -230,13 +231,14 @@ class Drawing:
         return display
 
     def show_region(self, name):
-        display = self.show(self.result.part(name + " regions", "volume", name), EDGE)
+        kind = "region" if any(b["kind"] == "region" for b in self.result.blocks) else "volume"
+        display = self.show(self.result.part(name + " regions", kind, name), EDGE)
         if display is not None:
             simple.ColorBy(display, ("CELLS", "region"))
         return display is not None
 
     def show_lines(self):
-        lines = self.result.part("extremal lines", "extremal_planes")
+        lines = self.result.part("boundaries", "boundaries") or self.result.part("extremal lines", "extremal_planes")
         if lines is None:
             return
         for name, (kind, color) in (("supporting lines", SUPPORTING), ("separating lines", SEPARATING)):

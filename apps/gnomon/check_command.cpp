@@ -83,8 +83,8 @@ std::string check_text(const Scene& scene, const RecognisedElements& elements, c
   std::vector<TextRow> rows;
   rows.reserve(pairs.size());
   for (const ScenePair& pair : pairs) {
-    rows.push_back({pair.light, pair.blocker, pair.position ? std::string(name(*pair.position)) : "-",
-                    pair.supported() ? "supported" : pair.reason});
+    rows.push_back(
+        {pair.light, pair.blocker, std::string(name(pair.position)), pair.supported() ? "supported" : pair.reason});
   }
   text += section(
       "pairs, " + std::to_string(supported_count(pairs)) + " of " + std::to_string(pairs.size()) + " supported", rows);

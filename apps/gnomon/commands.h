@@ -39,6 +39,12 @@ ExitCode check_command(Arguments arguments);
 /// `gnomon regions`: region and visible fraction of every light at given points, as CSV and JSON.
 ExitCode regions_command(Arguments arguments);
 
+/// `gnomon grid`: region and visible fraction of every light at the points of a grid, as VTK image data.
+ExitCode grid_command(Arguments arguments);
+
+/// `gnomon irradiance`: what every light gives to receivers at given points, as CSV and JSON.
+ExitCode irradiance_command(Arguments arguments);
+
 /// `gnomon render`: a picture of a scene or of a folder written by `gnomon shadow`.
 ExitCode render_command(Arguments arguments);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <future>
+#include <span>
 #include <thread>
 #include <variant>
 
@@ -21,9 +22,9 @@ PairResult computed(const Scene& scene, const ScenePair& pair, const Box3& clip_
   result.supported = pair.supported();
   if (!result.supported) return result;
   const Light& light = scene.lights[pair.light_index].shape;
-  const auto& blocker = std::get<ConvexPolygon>(scene.blockers[pair.blocker_index].shape);
-  result.volumes = shadow_volumes(light, blocker);
-  result.meshes = shadow_meshes(light, blocker, clip_box);
+  result.is_solid = std::holds_alternative<ConvexSolid>(*pair.shape);
+  result.volumes = shadow_volumes(light, *pair.shape);
+  result.meshes = shadow_meshes(light, *pair.shape, clip_box);
   return result;
 }
 
@@ -35,9 +36,46 @@ PlanarPairResult computed_in_plane(const Scene& scene, const ScenePair& pair, co
           static_cast<std::uint32_t>(pair.blocker_index),
           pair.light,
           pair.blocker,
-          *pair.position,
+          pair.position,
           std::move(regions),
           std::move(in_box)};
+}
+
+/// The pairs of one light as one light behind all of their segments.
+PlanarLightResult computed_together(const Scene& scene, std::span<const ScenePair> pairs, const Box3& clip_box) {
+  std::vector<planar::BlockerSegment> segments;
+  std::vector<std::string> names;
+  std::vector<std::uint32_t> ids;
+  for (const ScenePair& pair : pairs) {
+    segments.push_back(planar_pair(scene, pair).blocker());
+    names.push_back(pair.blocker);
+    ids.push_back(static_cast<std::uint32_t>(pair.blocker_index));
+  }
+  const std::size_t light = pairs.front().light_index;
+  const planar::Sight sight(planar::Flatland::from_points(scene.planar_lights[light].vertices, segments));
+  const Box2 box{{clip_box.min.x, clip_box.min.y}, {clip_box.max.x, clip_box.max.y}};
+  planar::Partition partition = planar::partition(sight, {planar::Fineness::regions, box});
+  planar::PartitionInBox in_box = planar::partition_in_box(partition);
+  return {static_cast<std::uint32_t>(light),
+          pairs.front().light,
+          std::move(names),
+          std::move(ids),
+          std::move(partition),
+          std::move(in_box)};
+}
+
+/// One result for every light that is behind more than one segment.
+std::vector<PlanarLightResult> computed_together(const Scene& scene, const std::vector<ScenePair>& pairs,
+                                                 const Box3& clip_box) {
+  std::vector<PlanarLightResult> results;
+  for (std::size_t first = 0; first < pairs.size();) {
+    std::size_t last = first;
+    while (last < pairs.size() && pairs[last].light_index == pairs[first].light_index) ++last;
+    const auto own = std::span(pairs).subspan(first, last - first);
+    if (own.size() > 1) results.push_back(computed_together(scene, own, clip_box));
+    first = last;
+  }
+  return results;
 }
 
 /// Segments are quick: helpers would cost more than they save.
@@ -48,6 +86,7 @@ ShadowResult computed_in_plane(const Scene& scene, const std::vector<ScenePair>&
     result.planar_pairs.push_back(computed_in_plane(scene, pair, clip_box));
     progress.step();
   }
+  result.planar_lights = computed_together(scene, pairs, clip_box);
   return result;
 }
 

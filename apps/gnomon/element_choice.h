@@ -22,4 +22,17 @@ void require_name(const std::string& option, const std::string& kind, const std:
                    (known.empty() ? "none" : known));
 }
 
+/// The lights of that name, or all of them if it is empty, in file order.
+///
+/// Throws: UsageError for a name that the scene does not have.
+template <class SomeLight>
+std::vector<const SomeLight*> chosen_lights(const std::vector<SomeLight>& lights, const std::string& name) {
+  require_name("--light", "light", name, lights);
+  std::vector<const SomeLight*> chosen;
+  for (const SomeLight& light : lights) {
+    if (name.empty() || light.name == name) chosen.push_back(&light);
+  }
+  return chosen;
+}
+
 }  // namespace gnomon

@@ -26,12 +26,14 @@ constexpr std::array commands{
     Command{"shadow", "extremal planes and occlusion, umbra and penumbra volumes, for ParaView", shadow_command},
     Command{"check", "validates a scene and prints what was recognised", check_command},
     Command{"regions", "tells region and visible fraction of every light at given points", regions_command},
+    Command{"grid", "tells the same for the points of a grid, as VTK image data", grid_command},
+    Command{"irradiance", "tells the irradiance that every light gives to given points and normals",
+            irradiance_command},
     Command{"render", "makes a picture of a scene or of a result folder", render_command},
 };
 
 /// Words of the documented command language that this version does not know how to obey.
-constexpr std::array<std::string_view, 6> later_commands{"grid",      "irradiance", "discontinuities",
-                                                         "receivers", "theorems",   "report"};
+constexpr std::array<std::string_view, 4> later_commands{"discontinuities", "receivers", "theorems", "report"};
 
 std::string command_list() {
   std::string list;
@@ -43,7 +45,7 @@ void print_help(std::ostream& stream) {
   stream << "gnomon computes exact shadow volumes of lights behind convex blockers, and hands them to ParaView.\n\n"
             "Usage: gnomon COMMAND [OPTIONS]\n\nCommands:\n";
   for (const Command& command : commands) {
-    stream << "  " << command.name << std::string(10 - command.name.size(), ' ') << command.does << '\n';
+    stream << "  " << command.name << std::string(12 - command.name.size(), ' ') << command.does << '\n';
   }
   stream << "\nOptions:\n"
             "  -h, --help    print this text; 'gnomon COMMAND --help' says more about a command\n"

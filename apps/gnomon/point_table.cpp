@@ -15,7 +15,7 @@ namespace gnomon {
 namespace {
 
 constexpr std::size_t longest_line = 1 << 16;
-constexpr std::array<std::string_view, 3> names = {"x", "y", "z"};
+constexpr std::array<std::string_view, 6> names = {"x", "y", "z", "nx", "ny", "nz"};
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
@@ -63,13 +63,19 @@ std::optional<double> finite_number(std::string_view text) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-std::string expected_header(std::size_t dimension) {
-  return dimension == 2 ? "\"x,y\"" : "\"x,y,z\"";
+std::size_t number_count(TableColumns columns) {
+  return columns == TableColumns::planar_points ? 2 : columns == TableColumns::points ? 3 : 6;
 }
 
-bool starts_with_names(const std::vector<std::string_view>& fields, std::size_t dimension) {
-  if (fields.size() < dimension) return false;
-  for (std::size_t i = 0; i < dimension; ++i) {
+std::string expected_header(std::size_t numbers) {
+  std::string header = "\"x";
+  for (std::size_t i = 1; i < numbers; ++i) header += ',' + std::string(names[i]);
+  return header + '"';
+}
+
+bool starts_with_names(const std::vector<std::string_view>& fields, std::size_t numbers) {
+  if (fields.size() < numbers) return false;
+  for (std::size_t i = 0; i < numbers; ++i) {
     if (fields[i] != names[i]) return false;
   }
   return true;
@@ -77,15 +83,15 @@ bool starts_with_names(const std::vector<std::string_view>& fields, std::size_t 
 
 }  // namespace
 
-PointTable::PointTable(std::istream& stream, std::string name, std::size_t dimension)
-    : stream_(stream), name_(std::move(name)), dimension_(dimension) {
-  const std::string expected = ", expected the header " + expected_header(dimension);
+PointTable::PointTable(std::istream& stream, std::string name, TableColumns columns)
+    : stream_(stream), name_(std::move(name)), numbers_(number_count(columns)) {
+  const std::string expected = ", expected the header " + expected_header(numbers_);
   if (!read_line()) throw SceneError(name_ + ": found an empty file" + expected);
   header_ = text_.starts_with("\xef\xbb\xbf") ? text_.substr(3) : text_;
   const std::vector<std::string_view> fields = fields_of(header_);
   columns_ = fields.size();
-  const bool third_in_plane = dimension == 2 && columns_ > 2 && fields[2] == "z";
-  if (too_long_ || third_in_plane || !starts_with_names(fields, dimension)) {
+  const bool third_in_plane = numbers_ == 2 && columns_ > 2 && fields[2] == "z";
+  if (too_long_ || third_in_plane || !starts_with_names(fields, numbers_)) {
     throw SceneError(name_ + ":1: found " + excerpt(header_) + expected);
   }
 }
@@ -99,14 +105,17 @@ std::optional<std::variant<PointRow, MalformedRow>> PointTable::next() {
   if (fields.size() != columns_) {
     return MalformedRow{line_, "found " + counted(fields.size(), "field") + ", expected " + std::to_string(columns_)};
   }
-  PointRow row{line_, text_, {}};
-  for (std::size_t i = 0; i < dimension_; ++i) {
+  PointRow row{line_, text_, {}, {}};
+  for (std::size_t i = 0; i < numbers_; ++i) {
     const std::optional<double> value = finite_number(fields[i]);
     if (!value) {
       return MalformedRow{line_,
                           std::string(names[i]) + ": found " + excerpt(fields[i]) + ", expected a finite number"};
     }
-    row.coordinates[i] = *value;
+    (i < 3 ? row.coordinates : row.normal)[i % 3] = *value;
+  }
+  if (numbers_ == 6 && row.normal == std::array<double, 3>{}) {
+    return MalformedRow{line_, "nx,ny,nz: found 0,0,0, expected a direction"};
   }
   return row;
 }

@@ -14,6 +14,7 @@ struct PointRow {
   std::size_t line = 0;                 ///< in the file, from 1
   std::string text;                     ///< as written, without the end of the line
   std::array<double, 3> coordinates{};  ///< z is 0 in the plane
+  std::array<double, 3> normal{};       ///< not zero where normals are asked for
 };
 
 /// A row that is no point.
@@ -22,15 +23,19 @@ struct MalformedRow {
   std::string problem;  ///< what was found and what was expected
 };
 
-/// Points as CSV, read row by row in constant memory: a header `x,y,z` (in the plane `x,y`), then a point a line.
+/// What the first columns of a table hold.
+enum class TableColumns { planar_points, points, points_with_normals };
+
+/// Points as CSV, read row by row in constant memory: a header `x,y,z` (in the plane `x,y`; with normals
+/// `x,y,z,nx,ny,nz`), then a point a line.
 /// Further columns are allowed behind the coordinates; they are passed over, and a comma in double quotes is part of a
 /// field there. Spaces around a field, empty lines, a byte order mark and either kind of line end are accepted.
 class PointTable {
  public:
-  /// Reads the header. `name` is how messages call the file; dimension is 2 or 3.
+  /// Reads the header. `name` is how messages call the file.
   ///
   /// Throws: SceneError if the header is another one.
-  PointTable(std::istream& stream, std::string name, std::size_t dimension);
+  PointTable(std::istream& stream, std::string name, TableColumns columns);
 
   /// The header as written.
   const std::string& header() const { return header_; }
@@ -44,7 +49,7 @@ class PointTable {
 
   std::istream& stream_;
   std::string name_;
-  std::size_t dimension_;
+  std::size_t numbers_;  ///< in the first columns
   std::string header_;
   std::size_t columns_ = 0;
   std::string text_;

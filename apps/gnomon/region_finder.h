@@ -21,7 +21,7 @@ struct RegionFinder {
 /// The finder of a scene, for all lights or, if a name is given, for that one.
 ///
 /// Requires: the scene outlives the result.
-/// Throws:   UsageError for a name that the scene does not have; UnsupportedError for a dimension.
+/// Throws:   UsageError for a name that the scene does not have.
 RegionFinder region_finder(const Scene& scene, const std::string& light);
 
 }  // namespace gnomon

@@ -1,12 +1,6 @@
-#include <algorithm>
-#include <atomic>
-#include <filesystem>
-#include <fstream>
-#include <future>
 #include <iostream>
 #include <optional>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -14,6 +8,7 @@
 #include "apps/gnomon/commands.h"
 #include "apps/gnomon/console.h"
 #include "apps/gnomon/output_file.h"
+#include "apps/gnomon/point_batches.h"
 #include "apps/gnomon/point_table.h"
 #include "apps/gnomon/region_finder.h"
 #include "apps/gnomon/regions_output.h"
@@ -23,9 +18,6 @@
 namespace gnomon {
 namespace {
 
-/// As many rows are held in memory at a time.
-constexpr std::size_t batch_size = 1024;
-
 struct RegionsOptions : CommonOptions {
   std::string at;
   std::string out;
@@ -34,7 +26,8 @@ struct RegionsOptions : CommonOptions {
 void add_options(CLI::App& app, RegionsOptions& options) {
   add_text(app, "SCENE", options.scene, "FILE", "Scene file")->required();
   add_text(app, "--at", options.at, "POINTS.csv|-",
-           "Points as CSV with the header x,y,z; '-' reads them from stdin. Further columns are passed through")
+           "Points as CSV with the header x,y,z (x,y in the plane); '-' reads them from stdin. Further columns are "
+           "passed through")
       ->required();
   add_text(app, "--out", options.out, "FILE", "Write the CSV to this file (default: to stdout)");
   add_json_option(app, options);
@@ -51,31 +44,13 @@ void add_options(CLI::App& app, RegionsOptions& options) {
       "  gnomon regions examples/cornell_box.scene.json --at examples/points.csv --light ceiling_lamp --json -\n");
 }
 
-/// The next rows of the table, at most a batch; none at the end.
-std::vector<JudgedRow> next_rows(PointTable& table) {
+std::vector<JudgedRow> judged_batch(PointTable& table, const RegionFinder& finder, tbb::task_arena& threads) {
   std::vector<JudgedRow> rows;
-  while (rows.size() < batch_size) {
-    auto row = table.next();
-    if (!row) break;
-    rows.push_back({std::move(*row), {}});
-  }
+  for (TableRow& row : next_rows(table)) rows.push_back({std::move(row), {}});
+  for_all(rows.size(), threads, [&](std::size_t i) {
+    if (const auto* row = std::get_if<PointRow>(&rows[i].row)) rows[i].seen = finder.at(row->coordinates);
+  });
   return rows;
-}
-
-void judge(std::vector<JudgedRow>& rows, const RegionFinder& finder, unsigned threads) {
-  std::atomic<std::size_t> next = 0;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < rows.size(); i = next++) {
-      if (const auto* row = std::get_if<PointRow>(&rows[i].row)) rows[i].seen = finder.at(row->coordinates);
-    }
-  };
-  if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
-  // Helpers beside this thread; a future hands on what its helper throws.
-  std::vector<std::future<void>> helpers;
-  const std::size_t helper_count = std::min<std::size_t>(threads, rows.size());
-  for (std::size_t i = 1; i < helper_count; ++i) helpers.push_back(std::async(std::launch::async, work));
-  work();
-  for (std::future<void>& helper : helpers) helper.get();
 }
 
 /// Where the results go: any of a CSV file or stdout, and a JSON file or stdout.
@@ -109,12 +84,12 @@ struct Outputs {
 ExitCode write_regions(const RegionsOptions& options, const Scene& scene, std::istream& stream,
                        const std::string& file) {
   const RegionFinder finder = region_finder(scene, options.light);
-  PointTable table(stream, file, std::size_t(scene.dimension));
+  PointTable table(stream, file, scene.dimension == 2 ? TableColumns::planar_points : TableColumns::points);
   Outputs outputs(options, scene, table, finder.lights);
   RegionCounts counts(finder.lights);
+  tbb::task_arena threads(arena_size(options.threads));
   if (finder.lights.empty()) print_warning("the scene has no light");
-  for (std::vector<JudgedRow> rows = next_rows(table); !rows.empty(); rows = next_rows(table)) {
-    judge(rows, finder, options.threads);
+  for (auto rows = judged_batch(table, finder, threads); !rows.empty(); rows = judged_batch(table, finder, threads)) {
     for (const JudgedRow& judged : rows) {
       counts.add(judged);
       outputs.add(judged);
@@ -140,11 +115,9 @@ ExitCode regions_command(Arguments arguments) {
   add_options(app, options);
   if (!parse_arguments(app, arguments)) return ExitCode::done;
   const Scene scene = read_scene(options.scene);
-  if (options.at == "-") return write_regions(options, scene, std::cin, "stdin");
-  if (std::filesystem::is_directory(options.at)) throw SceneError(options.at + ": found a folder, expected a CSV file");
-  std::ifstream stream(options.at, std::ios::binary);
-  if (!stream) throw SceneError(options.at + ": cannot be read, expected a CSV file of points");
-  return write_regions(options, scene, stream, options.at);
+  return with_points(options.at, [&](std::istream& stream, const std::string& file) {
+    return write_regions(options, scene, stream, file);
+  });
 }
 
 }  // namespace gnomon

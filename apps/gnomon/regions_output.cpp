@@ -12,13 +12,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array regions = {Region::lit, Region::penumbra, Region::umbra, Region::unlit};
 
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
-}
-
 Json point_json(const PointRow& row, int dimension) {
   Json point = Json::array();
   for (std::size_t i = 0; i < std::size_t(dimension); ++i) point.push_back(row.coordinates[i]);

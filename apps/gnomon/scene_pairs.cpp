@@ -6,44 +6,51 @@
 #include <variant>
 
 #include "apps/gnomon/element_choice.h"
+#include "geometry/scene/convex_parts.h"
 
 namespace gnomon {
 namespace {
 
-/// Why nothing is computed for a light of this shape, or empty.
-std::string light_reason(const Light& light) {
-  if (std::holds_alternative<DirectionalLight>(light)) return "lights of shape direction are not supported yet";
-  const auto* area = std::get_if<AreaLight>(&light);
-  if (area && !area->polygon.is_flat()) return "lights whose vertices are not exactly coplanar are not supported yet";
-  return {};
-}
+/// A convex part of a blocker as pairs need it.
+struct Part {
+  std::string name;
+  std::optional<ConvexBlocker> shape;
+  std::vector<std::uint32_t> vertices;
+};
 
-/// Why nothing is computed for a blocker of this shape, or empty.
-std::string blocker_reason(const BlockerShape& shape) {
-  if (std::holds_alternative<Polytope>(shape)) return "blockers of shape polytope are not supported yet";
-  if (std::holds_alternative<ConcavePolygon>(shape)) return "blockers of shape concave_polygon are not supported yet";
-  if (std::holds_alternative<Mesh>(shape)) return "blockers of shape mesh are not supported yet";
-  if (!std::get<ConvexPolygon>(shape).is_flat()) {
-    return "blockers whose vertices are not exactly coplanar are not supported yet";
+/// A polygon stays one, with its own edges, where its vertices were rounded off their plane.
+std::vector<Part> parts(const SceneBlocker& blocker) {
+  if (const auto* polygon = std::get_if<ConvexPolygon>(&blocker.shape)) return {{blocker.name, *polygon, {}}};
+  const bool is_whole = std::holds_alternative<Polytope>(blocker.shape);
+  std::vector<Part> result;
+  for (ConvexPart& part : convex_parts(blocker)) {
+    result.push_back({std::move(part.name), std::move(part.shape), {}});
+    if (!is_whole) result.back().vertices = std::move(part.vertices);
   }
-  return {};
+  return result;
 }
 
-std::string position_reason(Position position) {
-  if (position == Position::standard) return {};
-  return "the position " + std::string(name(position)) + " is not supported yet";
-}
-
-void judge(const SceneLight& light, const SceneBlocker& blocker, ScenePair& pair) {
-  pair.reason = light_reason(light.shape);
-  if (pair.reason.empty()) pair.reason = blocker_reason(blocker.shape);
-  if (!pair.reason.empty()) return;
-  pair.position = pair_position(light.shape, std::get<ConvexPolygon>(blocker.shape));
-  pair.reason = position_reason(*pair.position);
+/// A plain segment keeps its name.
+std::vector<Part> parts(const PlanarBlocker& blocker) {
+  if (blocker.vertices.size() == 2) return {{blocker.name, std::nullopt, {}}};
+  std::vector<Part> result;
+  for (std::size_t k = 0; k + 1 < blocker.vertices.size(); ++k) {
+    result.push_back({blocker.name + '#' + std::to_string(k), std::nullopt, {}});
+  }
+  return result;
 }
 
 planar::Pair planar_pair(const PlanarLight& light, const PlanarBlocker& blocker, std::size_t part) {
   return planar::Pair::from_points(light.vertices, std::span(blocker.vertices).subspan(part, 2));
+}
+
+void judge(const SceneLight& light, const SceneBlocker&, ScenePair& pair) {
+  pair.position = pair_position(light.shape, *pair.shape);
+  if (is_supported(light.shape, *pair.shape)) return;
+  pair.reason =
+      "the light's vertices are not exactly coplanar, so the blocker has to lie strictly apart from it, and strictly "
+      "in "
+      "front if it is one-sided";
 }
 
 /// In the plane every position is supported.
@@ -51,23 +58,14 @@ void judge(const PlanarLight& light, const PlanarBlocker& blocker, ScenePair& pa
   pair.position = planar::pair_position(planar_pair(light, blocker, pair.part));
 }
 
-std::vector<std::string> part_names(const SceneBlocker& blocker) {
-  return {blocker.name};
-}
-
-/// A plain segment keeps its name.
-std::vector<std::string> part_names(const PlanarBlocker& blocker) {
-  if (blocker.vertices.size() == 2) return {blocker.name};
-  std::vector<std::string> names;
-  for (std::size_t k = 0; k + 1 < blocker.vertices.size(); ++k) names.push_back(blocker.name + '#' + std::to_string(k));
-  return names;
-}
-
 template <class SomeLight, class SomeBlocker>
-void add_pairs(std::vector<ScenePair>& pairs, const SomeLight& light, const SomeBlocker& blocker, ScenePair pair) {
+void add_pairs(std::vector<ScenePair>& pairs, const SomeLight& light, const SomeBlocker& blocker,
+               const std::vector<Part>& parts, ScenePair pair) {
   pair.light = light.name;
-  for (const std::string& part : part_names(blocker)) {
-    pair.blocker = part;
+  for (const Part& part : parts) {
+    pair.blocker = part.name;
+    pair.shape = part.shape;
+    pair.part_vertices = part.vertices;
     judge(light, blocker, pairs.emplace_back(pair));
     ++pair.part;
   }
@@ -81,11 +79,18 @@ std::vector<ScenePair> selected_pairs(const std::vector<SomeLight>& lights, cons
   const auto chosen = [](const std::string& wanted, const std::string& name) {
     return wanted.empty() || wanted == name;
   };
+  std::vector<std::vector<Part>> parts_of;
+  for (const SomeBlocker& blocker : blockers) {
+    parts_of.push_back(chosen(selection.blocker, blocker.name) ? parts(blocker) : std::vector<Part>{});
+  }
   std::vector<ScenePair> pairs;
   for (std::size_t l = 0; l < lights.size(); ++l) {
+    if (!chosen(selection.light, lights[l].name)) continue;
     for (std::size_t b = 0; b < blockers.size(); ++b) {
-      if (!chosen(selection.light, lights[l].name) || !chosen(selection.blocker, blockers[b].name)) continue;
-      add_pairs(pairs, lights[l], blockers[b], {l, b, 0, {}, {}, {}, {}});
+      ScenePair pair;
+      pair.light_index = l;
+      pair.blocker_index = b;
+      add_pairs(pairs, lights[l], blockers[b], parts_of[b], std::move(pair));
     }
   }
   return pairs;

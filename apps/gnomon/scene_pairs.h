@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "geometry/planar/pair.h"
 #include "geometry/scene/scene.h"
+#include "geometry/spatial/convex_blocker.h"
 #include "geometry/spatial/position.h"
 
 namespace gnomon {
@@ -15,11 +17,13 @@ namespace gnomon {
 struct ScenePair {
   std::size_t light_index = 0;    ///< into Scene::lights (planar_lights in dimension 2)
   std::size_t blocker_index = 0;  ///< into Scene::blockers (planar_blockers in dimension 2)
-  std::size_t part = 0;           ///< of a polyline: the segment from vertex `part` to the next; otherwise 0
+  std::size_t part = 0;  ///< of the blocker: a convex part, or a polyline's segment from vertex `part` to the next
   std::string light;
-  std::string blocker;               ///< part k of a polyline is named `fence#k`
-  std::optional<Position> position;  ///< nothing where no position is defined: a direction, or a shape that is not flat
-  std::string reason;                ///< why the pair is not supported; empty if it is
+  std::string blocker;                       ///< part k of a polyline is named `fence#k`, of a mesh `vase#k`
+  std::optional<ConvexBlocker> shape;        ///< in space: the convex part
+  std::vector<std::uint32_t> part_vertices;  ///< of each point of a part, its index among the blocker's; else empty
+  Position position = Position::standard;
+  std::string reason;  ///< why the pair is not supported; empty if it is
 
   bool supported() const { return reason.empty(); }
 };
@@ -30,8 +34,8 @@ struct PairSelection {
   std::string blocker;
 };
 
-/// The pairs of a scene that are asked for: light by light, blockers in file order, a polyline segment by segment.
-/// A polyline is chosen as a whole.
+/// The pairs of a scene that are asked for: light by light, blockers in file order, each part by part. A blocker is
+/// chosen as a whole.
 ///
 /// Throws: UsageError for a name that the scene does not have.
 std::vector<ScenePair> scene_pairs(const Scene& scene, const PairSelection& selection);

@@ -11,27 +11,43 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// An index that names no element of the file (a diagonal of a polygon whose vertices were rounded) is null.
 Json element_json(std::string_view of, std::uint32_t index) {
-  return {{"of", of}, {"index", index}};
+  return {{"of", of}, {"index", index == ~0u ? Json() : Json(index)}};
 }
 
-Json plane_json(Contact contact, const BlockerPlane& plane) {
+/// An edge of a solid has no index in the file: it is numbered among the solid's edges, and its vertices are told.
+Json blocker_edge_json(const ScenePair& pair, BlockerEdge edge) {
+  Json json = element_json("blocker", number(edge));
+  const auto* solid = std::get_if<ConvexSolid>(&*pair.shape);
+  if (solid && number(edge) < solid->edges().size()) {
+    const ConvexSolid::Edge& ends = solid->edges()[number(edge)];
+    json["vertices"] = {ends.from, ends.to};
+  }
+  return json;
+}
+
+Json plane_json(Contact contact, const BlockerPlane& plane, const ScenePair& pair) {
   return {{"contact", name(contact)},
-          {"edge", element_json("blocker", number(plane.edge))},
+          {"edge", blocker_edge_json(pair, plane.edge)},
           {"vertex", element_json("light", number(plane.vertex))}};
 }
 
-Json plane_json(Contact contact, const LightPlane& plane) {
-  return {{"contact", name(contact)},
+Json plane_json(const LightPlane& plane) {
+  return {{"contact", name(Contact::separating)},
           {"edge", element_json("light", number(plane.edge))},
           {"vertex", element_json("blocker", number(plane.vertex))}};
 }
 
-Json planes_json(const ExtremalPlanes& planes) {
+Json planes_json(const ExtremalPlanes& planes, const ScenePair& pair) {
   Json list = Json::array();
-  for (const BlockerPlane& plane : planes.separating_blocker) list.push_back(plane_json(Contact::separating, plane));
-  for (const LightPlane& plane : planes.separating_light) list.push_back(plane_json(Contact::separating, plane));
-  for (const BlockerPlane& plane : planes.supporting_blocker) list.push_back(plane_json(Contact::supporting, plane));
+  for (const BlockerPlane& plane : planes.separating_blocker) {
+    list.push_back(plane_json(Contact::separating, plane, pair));
+  }
+  for (const LightPlane& plane : planes.separating_light) list.push_back(plane_json(plane));
+  for (const BlockerPlane& plane : planes.supporting_blocker) {
+    list.push_back(plane_json(Contact::supporting, plane, pair));
+  }
   return list;
 }
 
@@ -45,11 +61,11 @@ Json lines_json(const std::vector<planar::ExtremalLine>& lines) {
   return list;
 }
 
-void add_shadow(Json& json, const ShadowResult& result, std::size_t pair) {
+void add_shadow(Json& json, const ShadowResult& result, std::size_t pair, const ScenePair& scene_pair) {
   if (result.scene->dimension == 2) {
     json["lines"] = lines_json(result.planar_pairs[pair].regions.lines);
   } else {
-    json["planes"] = planes_json(result.pairs[pair].volumes.planes);
+    json["planes"] = planes_json(result.pairs[pair].volumes.planes, scene_pair);
   }
   for (const ShadowExtent& extent : shadow_extents(result, pair)) {
     json[std::string(extent.name)] = {{"empty", extent.facts.empty},
@@ -57,13 +73,37 @@ void add_shadow(Json& json, const ShadowResult& result, std::size_t pair) {
                                       {"components", extent.facts.components},
                                       {"volume_in_box", extent.size_in_box}};
   }
+  if (result.scene->dimension != 2 && result.pairs[pair].is_solid) {
+    json["umbra"]["pockets"] = result.pairs[pair].volumes.umbra_pockets;
+  }
+}
+
+/// What a light's partition says of one region.
+Json region_json(const PlanarLightResult& light, Region region) {
+  const ExactNumber& area = light.in_box.area(region);
+  return {{"components", light.partition.count(region)}, {"area_in_box", area.nearest}, {"exact", area.exact}};
+}
+
+/// Every light behind all of its blockers together.
+Json lights_json(const ShadowResult& result) {
+  Json list = Json::array();
+  for (const PlanarLightResult& light : result.planar_lights) {
+    Json json = {{"light", light.light}, {"blockers", light.blockers}};
+    for (const Region region : {Region::lit, Region::penumbra, Region::umbra}) {
+      json[std::string(name(region))] = region_json(light, region);
+    }
+    json["boundary_edges"] = light.partition.edges().size();
+    list.push_back(std::move(json));
+  }
+  return list;
 }
 
 }  // namespace
 
 Json pair_json(const ScenePair& pair) {
   Json json = {{"light", pair.light}, {"blocker", pair.blocker}};
-  json["position"] = pair.position ? Json(name(*pair.position)) : Json();
+  if (!pair.part_vertices.empty()) json["blocker_vertices"] = pair.part_vertices;
+  json["position"] = name(pair.position);
   json["supported"] = pair.supported();
   if (!pair.supported()) json["reason"] = pair.reason;
   return json;
@@ -81,9 +121,10 @@ Json shadow_json(const ShadowResult& result, const std::vector<ScenePair>& pairs
   document["pairs"] = Json::array();
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     Json pair = pair_json(pairs[i]);
-    if (pairs[i].supported()) add_shadow(pair, result, i);
+    if (pairs[i].supported()) add_shadow(pair, result, i, pairs[i]);
     document["pairs"].push_back(std::move(pair));
   }
+  if (!result.planar_lights.empty()) document["lights"] = lights_json(result);
   return document;
 }
 

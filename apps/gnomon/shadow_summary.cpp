@@ -12,14 +12,16 @@ namespace {
 /// With more pairs than this, each gets one line.
 constexpr std::size_t most_blocks = 3;
 
-std::string position_text(const ScenePair& pair) {
-  return pair.position ? std::string(name(*pair.position)) : "-";
-}
-
 std::string extent_text(const VolumeFacts& facts) {
   if (facts.empty) return "empty";
   const std::string extent = facts.bounded ? "bounded" : "unbounded";
   return extent + ", " + counted(facts.components, "component");
+}
+
+/// How the umbra of a solid lies about it.
+std::string pockets_text(const ShadowResult& result, std::size_t pair, std::string_view volume) {
+  if (result.scene->dimension == 2 || !result.pairs[pair].is_solid || volume != "umbra") return {};
+  return ", " + counted(result.pairs[pair].volumes.umbra_pockets, "pocket") + " outside the solid";
 }
 
 std::string planes_text(const ExtremalPlanes& planes) {
@@ -59,20 +61,20 @@ std::string size_unit(const Scene& scene) {
 }
 
 std::string block(const ScenePair& pair, const ShadowResult& result, std::size_t index) {
-  std::string text = pair.light + " / " + pair.blocker + "\n  position   " + position_text(pair) + '\n';
+  std::string text = pair.light + " / " + pair.blocker + "\n  position   " + std::string(name(pair.position)) + '\n';
   if (!pair.supported()) return text + "  left out   " + pair.reason + '\n';
   const TextRow extremal = extremal_row(result, index);
   text += "  " + extremal[0] + std::string(11 - extremal[0].size(), ' ') + extremal[1] + '\n';
   std::vector<TextRow> rows;
   for (const ShadowExtent& extent : shadow_extents(result, index)) {
-    rows.push_back({std::string(extent.name), extent_text(extent.facts),
+    rows.push_back({std::string(extent.name), extent_text(extent.facts) + pockets_text(result, index, extent.name),
                     number_text(extent.size_in_box) + ' ' + size_unit(*result.scene) + " in the box"});
   }
   return text + aligned(rows, 2);
 }
 
 TextRow line(const ScenePair& pair, const ShadowResult& result, std::size_t index) {
-  TextRow row{pair.light, pair.blocker, position_text(pair)};
+  TextRow row{pair.light, pair.blocker, std::string(name(pair.position))};
   if (!pair.supported()) {
     row.emplace_back("left out");
     return row;
@@ -96,17 +98,32 @@ std::string table(const ShadowResult& result, const std::vector<ScenePair>& pair
          ": in the box, in " + size_unit(*result.scene) + '\n';
 }
 
+/// Every light behind all of its blockers together.
+std::string together_text(const ShadowResult& result) {
+  std::string text;
+  for (const PlanarLightResult& light : result.planar_lights) {
+    text += '\n' + light.light + " / all " + counted(light.blockers.size(), "segment") + " together\n";
+    std::vector<TextRow> rows;
+    for (const Region region : {Region::lit, Region::penumbra, Region::umbra}) {
+      rows.push_back({std::string(name(region)), counted(light.partition.count(region), "component"),
+                      number_text(light.in_box.area(region).nearest) + ' ' + size_unit(*result.scene) + " in the box"});
+    }
+    text += aligned(rows, 2);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string shadow_summary(const ShadowResult& result, const std::vector<ScenePair>& pairs) {
   std::string text = "scene      " + scene_text(*result.scene) + "\nclip box   " +
                      box_text(result.clip_box, result.scene->dimension) + "\n\n";
-  if (pairs.size() > most_blocks) return text + table(result, pairs);
+  if (pairs.size() > most_blocks) return text + table(result, pairs) + together_text(result);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (i != 0) text += '\n';
     text += block(pairs[i], result, i);
   }
-  return text;
+  return text + together_text(result);
 }
 
 std::string box_text(const Box3& box, int dimension) {

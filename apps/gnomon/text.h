@@ -21,4 +21,7 @@ std::string counted(std::size_t count, std::string_view noun);
 /// The word as a POSIX shell takes it for one argument.
 std::string shell_word(const std::string& word);
 
+/// The text as a field of CSV: in double quotes where it has to be.
+std::string csv_field(const std::string& text);
+
 }  // namespace gnomon

@@ -7,6 +7,7 @@
 #include "apps/laws/draw.h"
 #include "apps/laws/pair_generator.h"
 #include "geometry/spatial/polygon_checks.h"
+#include "geometry/spatial/position.h"
 
 namespace gnomon::laws {
 namespace {
@@ -59,7 +60,7 @@ bool is_polygon(const Points& points) {
 
 /// A flat polygon; nudges that leave it no polygon, or not flat, are left out.
 ConvexPolygon draw_flat(const Bend& bend) {
-  const Points points = draw_polygon(once_in(8) ? 64 : 1);
+  const Points points = draw_flat_points(once_in(8) ? 64 : 1);
   const Points bent = with_nudges(bend(points), bend.nudges);
   for (const Points& candidate : {bent, bend(points), points}) {
     if (!is_polygon(candidate)) continue;
@@ -73,7 +74,7 @@ ConvexPolygon draw_flat(const Bend& bend) {
 ConvexPolygon draw_rounded(const Bend& bend) {
   const double scales[] = {0.1, 0.3, 0.7, 1.1};
   const double scale = scales[draw(0, 3)];
-  const Points points = bend(draw_polygon(1));
+  const Points points = bend(draw_flat_points(1));
   Points rounded;
   for (const Point3& p : points) rounded.push_back({p.x * scale, p.y * scale + 0.1, p.z * scale});
   for (const Points& candidate : {rounded, with_nudges(points, 3)}) {
@@ -189,6 +190,12 @@ AnyPair draw_any_pair(Domain domain, LightKind light_kind, BlockerKind blocker_k
   const Bend common = draw_bend(domain);
   const Bend of_light = once_in(3) ? draw_bend(domain) : common;
   AnyPair pair{draw_light(light_kind, of_light), draw_blocker(blocker_kind, common), {}};
+  for (double distance = 1; !is_supported(pair.light, pair.blocker); distance *= 2) {
+    Points vertices = light_points(pair.light);
+    for (Point3& p : vertices) p = moved(p, distance, {1, 2, 5});
+    const bool is_polygon_still = is_polygon(vertices);
+    pair.light = AreaLight{is_polygon_still ? ConvexPolygon::from_points(vertices) : draw_flat(of_light), true};
+  }
   const Points light = vertices_of(pair.light);
   const Points blocker = vertices_of(pair.blocker);
   for (; points > 0; --points) pair.points.push_back(draw_point(domain, light, blocker));

@@ -71,6 +71,27 @@ bool parallel(const Point3& u, const Point3& v) {
   return u.y * v.z == u.z * v.y && u.z * v.x == u.x * v.z && u.x * v.y == u.y * v.x;
 }
 
+/// A convex polygon, flat because it is a combination of two integer vectors that needs no rounding; a needle stretches
+/// the first.
+Points draw_polygon(double stretch) {
+  const Outline outline = draw_outline();
+  const Point3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
+  const int axis = draw(0, 5);
+  Point3 u = axes[axis % 3];
+  Point3 v = axes[axis % 3 + 1];
+  if (axis >= 3) {
+    const Point3 tilted_u = draw_vector(2);
+    const Point3 tilted_v = draw_vector(2);
+    if (!parallel(tilted_u, tilted_v)) u = tilted_u, v = tilted_v;
+  }
+  const Point3 origin = draw_vector(3);
+  Points points;
+  for (const Point2& p : outline) points.push_back(moved(moved(origin, stretch * p.x, u), p.y, v));
+  std::rotate(points.begin(), points.begin() + draw(0, int(points.size()) - 1), points.end());
+  if (once_in(2)) std::ranges::reverse(points);
+  return points;
+}
+
 std::optional<ConvexPolygon> flat_polygon(const Points& points) {
   if (points.size() < 3 || ConvexPolygon::defect(points)) return std::nullopt;
   ConvexPolygon polygon = ConvexPolygon::from_points(points);
@@ -241,30 +262,15 @@ Point3 nudged(const Point3& p) {
   return result;
 }
 
+std::vector<Point3> draw_flat_points(double stretch) {
+  return draw_polygon(stretch);
+}
+
 std::vector<Point3> light_points(const Light& light) {
   if (const auto* point = std::get_if<PointLight>(&light)) return {point->position};
   if (const auto* linear = std::get_if<LinearLight>(&light)) return {linear->start, linear->end};
   const auto points = std::get<AreaLight>(light).polygon.points();
   return {points.begin(), points.end()};
-}
-
-std::vector<Point3> draw_polygon(double stretch) {
-  const Outline outline = draw_outline();
-  const Point3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
-  const int axis = draw(0, 5);
-  Point3 u = axes[axis % 3];
-  Point3 v = axes[axis % 3 + 1];
-  if (axis >= 3) {
-    const Point3 tilted_u = draw_vector(2);
-    const Point3 tilted_v = draw_vector(2);
-    if (!parallel(tilted_u, tilted_v)) u = tilted_u, v = tilted_v;
-  }
-  const Point3 origin = draw_vector(3);
-  Points points;
-  for (const Point2& p : outline) points.push_back(moved(moved(origin, stretch * p.x, u), p.y, v));
-  std::rotate(points.begin(), points.begin() + draw(0, int(points.size()) - 1), points.end());
-  if (once_in(2)) std::ranges::reverse(points);
-  return points;
 }
 
 Pair draw_pair(Domain domain, Lights lights) {

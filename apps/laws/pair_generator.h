@@ -20,11 +20,11 @@ inline Point3 moved(const Point3& a, double s, const Point3& b) {
   return {a.x + s * b.x, a.y + s * b.y, a.z + s * b.z};
 }
 
-/// Draws the vertices of a convex polygon with small coordinates, flat because it is a combination of two integer
-/// vectors that needs no rounding; a needle stretches the first.
+/// Draws the vertices of an exactly flat convex polygon with small coordinates in a random plane, collinear ones among
+/// them; a needle is stretched along a direction of the plane.
 ///
-/// Requires: called inside rc::gen::exec.
-std::vector<Point3> draw_polygon(double stretch);
+/// Requires: called inside rc::gen::exec; a power of two.
+std::vector<Point3> draw_flat_points(double stretch);
 
 /// Draws a pair in standard position.
 ///

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <span>
+#include <vector>
 
 #include "apps/laws/exact.h"
 
@@ -19,5 +20,20 @@ int side_of(const ExactVector& a, const ExactVector& b, const ExactVector& p);
 /// Definition: p is blocked from a point l of the light if the open segment (p, l) meets the closed blocker.
 /// Requires:   one light point, or two different ones; two different blocker points.
 Rational visible_fraction(std::span<const Point2> light, const std::array<Point2, 2>& blocker, const ExactVector& p);
+
+/// The same for any number of segments.
+Rational visible_fraction(std::span<const Point2> light, std::span<const std::array<Point2, 2>> blockers,
+                          const ExactVector& p);
+
+/// A part of a linear light, by places along it from 0 to 1.
+struct LightPart {
+  Rational from;
+  Rational to;
+};
+
+/// The parts of a linear light that any number of segments leave visible from p, maximal, in order, up to single
+/// points.
+std::vector<LightPart> visible_parts(std::span<const Point2> light, std::span<const std::array<Point2, 2>> blockers,
+                                     const ExactVector& p);
 
 }  // namespace gnomon::laws

@@ -4,9 +4,11 @@
 #include <functional>
 
 #include "geometry/planar/extremal_lines.h"
+#include "geometry/planar/partition.h"
 #include "geometry/planar/region_of.h"
 #include "geometry/planar/regions.h"
 #include "geometry/spatial/shadow_volume.h"
+#include "geometry/visibility/visibility.h"
 
 namespace gnomon::laws {
 
@@ -19,7 +21,13 @@ struct Subject {
   std::function<std::array<planar::ExtremalLine, 4>(const planar::Pair&)> planar_extremal_lines =
       planar::extremal_lines;
   std::function<planar::ShadowRegions(const planar::Pair&)> planar_regions = planar::shadow_regions;
+  std::function<Visibility(const Light&, const Obstacles&, const Point3&)> visibility = gnomon::exact_visibility;
   std::function<Region(const planar::Pair&, const Point2&)> planar_region_of = planar::region_of;
+  std::function<planar::VisibleLight(const planar::Flatland&, const Point2&)> planar_visible_light =
+      [](const planar::Flatland& flatland, const Point2& p) { return planar::Sight(flatland).visible_light(p); };
+  std::function<planar::Partition(const planar::Flatland&)> planar_partition = [](const planar::Flatland& flatland) {
+    return planar::partition(planar::Sight(flatland));
+  };
 };
 
 }  // namespace gnomon::laws

@@ -19,7 +19,8 @@ HalfSpace first_half_space(const PreparedPair& pair) {
 
 PreparedPair prepared_pair(const Light& light, const ConvexBlocker& blocker) {
   if (!is_supported(light, blocker)) {
-    throw PreconditionError("a one-sided light that is not exactly flat needs the blocker strictly in front of it");
+    throw PreconditionError(
+        "a light that is not exactly flat needs the blocker strictly apart from it, and in front if it is one-sided");
   }
   PreparedPair result;
   if (is_standard_polygon_pair(light, blocker)) {

@@ -40,7 +40,8 @@ struct PairPolyhedra {
 /// The penumbra as convex cells that share no interior point; none for lights of a single point.
 std::vector<ConvexPolyhedron> penumbra_cells(const PreparedPair& pair, PairPolyhedra& polyhedra);
 
-/// The part of a solid blocker in the umbra: in the box and, where it crosses a one-sided light's plane, in front of it.
+/// The part of a solid blocker in the umbra: in the box and, where it crosses a one-sided light's plane, in front of
+/// it.
 ///
 /// Requires: pair.has_solid().
 ConvexPolyhedron solid_in_umbra(const PreparedPair& pair, PairPolyhedra& polyhedra);

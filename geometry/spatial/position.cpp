@@ -1,5 +1,7 @@
 #include "geometry/spatial/position.h"
 
+#include <algorithm>
+
 #include "geometry/spatial/hull_pair.h"
 #include "geometry/spatial/light_contact.h"
 #include "geometry/spatial/pair_sides.h"
@@ -53,6 +55,36 @@ Position hull_position(const HullPair& pair, bool one_sided) {
   return of_light.zero || of_blocker.zero ? Position::touching : Position::standard;
 }
 
+/// True if all points lie strictly outside the plane of a facet.
+bool are_outside(const HullPair& pair, const Hull& body, std::uint32_t facet, const std::vector<Point3>& points) {
+  return std::all_of(points.begin(), points.end(), [&](const Point3& p) {
+    return pair.orientation(body.facet_point(facet, 0), body.facet_point(facet, 1), body.facet_point(facet, 2), p) > 0;
+  });
+}
+
+/// True if the plane of a facet of one holds the two strictly apart.
+bool stand_apart(const HullPair& pair) {
+  for (std::uint32_t f = 0; f < pair.blocker.facets.size(); ++f) {
+    if (are_outside(pair, pair.blocker, f, pair.light.corners)) return true;
+  }
+  for (std::uint32_t f = 0; f < pair.light.facets.size(); ++f) {
+    if (are_outside(pair, pair.light, f, pair.blocker.corners)) return true;
+  }
+  return false;
+}
+
+/// True if the blocker lies strictly in front of every triangle of the fan from a light's first vertex, by which such a
+/// light is lit and unlit.
+bool is_in_front(const HullPair& pair, const ConvexPolygon& light) {
+  const std::span<const Point3> points = light.points();
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    for (const Point3& corner : pair.blocker.corners) {
+      if (exact_orientation(points[0], points[i], points[i + 1], corner) <= 0) return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 std::string_view name(Position position) {
@@ -79,15 +111,9 @@ bool is_standard_polygon_pair(const Light& light, const ConvexBlocker& blocker) 
 
 bool is_supported(const Light& light, const ConvexBlocker& blocker) {
   const auto* area = std::get_if<AreaLight>(&light);
-  if (!area || area->two_sided || area->polygon.is_flat()) return true;
-  // In front of every triangle of the fan from the first vertex, by which such a light is lit and unlit.
-  const std::span<const Point3> points = area->polygon.points();
-  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-    for (const Point3& corner : hull(blocker).corners) {
-      if (exact_orientation(points[0], points[i], points[i + 1], corner) <= 0) return false;
-    }
-  }
-  return true;
+  if (!area || area->polygon.is_flat()) return true;
+  const HullPair pair(hull(light), hull(blocker));
+  return stand_apart(pair) && (area->two_sided || is_in_front(pair, area->polygon));
 }
 
 }  // namespace gnomon

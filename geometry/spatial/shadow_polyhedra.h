@@ -13,8 +13,8 @@ namespace gnomon {
 ///
 /// Requires: the rounding mode is protected while it is made and used.
 struct ShadowPlanes {
-  /// `downward` is the first plane of the space, see ExactSpace: a facet of the blocker. A half-space of the same name is
-  /// the same.
+  /// `downward` is the first plane of the space, see ExactSpace: a facet of the blocker. A half-space of the same name
+  /// is the same.
   ShadowPlanes(const PairHalfSpaces& half_spaces, const HalfSpace& downward);
 
   ExactSpace space;

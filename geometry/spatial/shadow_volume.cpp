@@ -34,7 +34,8 @@ ExtremalPlanes named_planes(const PairHalfSpaces& half_spaces) {
 
 void require_supported(const Light& light, const ConvexBlocker& blocker) {
   if (!is_supported(light, blocker)) {
-    throw PreconditionError("a one-sided light that is not exactly flat needs the blocker strictly in front of it");
+    throw PreconditionError(
+        "a light that is not exactly flat needs the blocker strictly apart from it, and in front if it is one-sided");
   }
 }
 

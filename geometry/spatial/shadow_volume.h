@@ -77,8 +77,7 @@ struct ShadowVolumes {
 
 /// The shadow volumes of a pair, in any position.
 ///
-/// Requires:   not a one-sided light whose vertices were rounded off their plane before a blocker that is not strictly
-///             in front of it, see is_supported().
+/// Requires:   is_supported(light, blocker): all pairs but some of lights whose vertices were rounded off their plane.
 /// Degenerate: a flat blocker coplanar with the light, and one behind a one-sided light, throw no shadow. A light that
 ///             reaches into a solid darkens all of space to some degree.
 /// Exactness:  all decisions are exact.

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "geometry/visibility/exact_visible_part.h"
 #include "geometry/visibility/reach.h"
 #include "geometry/visibility/visible_fraction.h"
-#include "geometry/visibility/visible_part.h"
 
 namespace gnomon {
 namespace {
@@ -29,13 +29,17 @@ std::vector<std::vector<HidingCondition>> hidden_sets(const Light& light, const 
 
 }  // namespace
 
-Visibility exact_visibility(const Light& light, const Obstacles& obstacles, const Point3& p) {
+VisiblePart exact_visible_part(const Light& light, const Obstacles& obstacles, const Point3& p) {
   std::vector<std::vector<HidingCondition>> hidden = hidden_sets(light, obstacles, p);
   const bool enclosed = std::any_of(obstacles.enclosures.begin(), obstacles.enclosures.end(),
                                     [&](const ClosedSurface& surface) { return is_strictly_inside(p, surface); });
   // No condition: everything is hidden.
   if (enclosed) hidden = {{}};
-  const VisiblePart part = visible_part(light, hidden, exact(p));
+  return visible_part(light, hidden, exact(p));
+}
+
+Visibility exact_visibility(const Light& light, const Obstacles& obstacles, const Point3& p) {
+  const VisiblePart part = exact_visible_part(light, obstacles, p);
   const VisibleFraction fraction = visible_fraction(part);
   return {part.region, fraction.nearest, fraction.error_bound};
 }

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
+#include <numeric>
+#include <vector>
 
 #include "geometry/rounding.h"
 
 namespace gnomon {
 namespace {
+
+using Integer = boost::multiprecision::mpz_int;
 
 /// A double that is no smaller than the number.
 double rounded_up(const Rational& number) {
@@ -22,15 +25,51 @@ VisibleFraction rounded(const Rational& exact) {
 }
 
 VisibleFraction rounded(const Rational& least, const Rational& most) {
+  if (least == most) return rounded(least);
   const double nearest = nearest_double(least);
   const Rational below = abs(Rational(least - Rational(nearest)));
   const Rational above = abs(Rational(most - Rational(nearest)));
   return {nearest, rounded_up(std::max(below, above)), std::nullopt};
 }
 
-/// Two numbers, at a relative 2^-190 of each other or nearer, with the square root of a positive number between them.
-std::pair<Rational, Rational> square_root(const Rational& number) {
-  using Integer = boost::multiprecision::mpz_int;
+/// Numbers that enclose one; they are equal where it is known exactly.
+struct Enclosure {
+  Rational least = 0;
+  Rational most = 0;
+};
+
+/// The power of two just below a positive number, or the one below that.
+long exponent_of(const Rational& number) {
+  return static_cast<long>(msb(numerator(number))) - static_cast<long>(msb(denominator(number))) - 1;
+}
+
+/// The number rounded down to a multiple of 2^-bits, in these multiples.
+Integer in_units(const Rational& number, long bits) {
+  if (bits >= 0) return (numerator(number) << static_cast<unsigned long>(bits)) / denominator(number);
+  return numerator(number) / (denominator(number) << static_cast<unsigned long>(-bits));
+}
+
+Rational from_units(const Integer& units, long bits) {
+  const Integer one = 1;
+  if (bits >= 0) return {units, Integer(one << static_cast<unsigned long>(bits))};
+  return {Integer(units << static_cast<unsigned long>(-bits)), one};
+}
+
+/// The sum of positive numbers: exact if they are few. The common denominator of many is too long to work with; their
+/// sum is enclosed to a relative 2^-300 of the largest.
+Enclosure sum_of(const std::vector<Rational>& terms) {
+  if (terms.size() <= 64) {
+    const Rational sum = std::accumulate(terms.begin(), terms.end(), Rational(0));
+    return {sum, sum};
+  }
+  const long bits = 300 - exponent_of(*std::max_element(terms.begin(), terms.end()));
+  Integer sum = 0;
+  for (const Rational& term : terms) sum += in_units(term, bits);
+  return {from_units(sum, bits), from_units(sum + terms.size(), bits)};
+}
+
+/// The square root of a positive number, to a relative 2^-190.
+Enclosure square_root(const Rational& number) {
   const Integer bottom = denominator(number);
   Integer square = numerator(number) * bottom;
   const std::size_t bits = msb(square);
@@ -42,29 +81,30 @@ std::pair<Rational, Rational> square_root(const Rational& number) {
 }
 
 /// The share of a facet's area; all polygons lie in its plane, so one component of their normals tells.
-Rational visible_share(const SeenFacet& seen) {
+Enclosure visible_share(const SeenFacet& seen) {
   const ExactVector whole = doubled_area(seen.facet);
   const auto component = [&](const ExactVector& v) { return whole.z != 0 ? v.z : whole.y != 0 ? v.y : v.x; };
-  Rational sum = 0;
-  for (const ExactPolygon& polygon : seen.visible) sum += component(doubled_area(polygon));
-  return sum / component(whole);
+  std::vector<Rational> shares;
+  for (const ExactPolygon& polygon : seen.visible) {
+    shares.push_back(component(doubled_area(polygon)) / component(whole));
+  }
+  return sum_of(shares);
 }
 
 VisibleFraction mean_share(const std::vector<SeenFacet>& facets) {
-  std::vector<Rational> shares;
+  std::vector<Enclosure> shares;
   for (const SeenFacet& facet : facets) shares.push_back(visible_share(facet));
-  const auto equals_first = [&](const Rational& share) { return share == shares.front(); };
-  if (std::all_of(shares.begin(), shares.end(), equals_first)) return rounded(shares.front());
-  Rational least_visible = 0, most_visible = 0, least_whole = 0, most_whole = 0;
+  if (facets.size() == 1) return rounded(shares[0].least, shares[0].most);
+  Enclosure visible, whole;
   for (std::size_t i = 0; i < facets.size(); ++i) {
     const ExactVector normal = doubled_area(facets[i].facet);
-    const auto [least, most] = square_root(dot(normal, normal));
-    least_visible += shares[i] * least;
-    most_visible += shares[i] * most;
-    least_whole += least;
-    most_whole += most;
+    const Enclosure area = square_root(dot(normal, normal));
+    visible.least += shares[i].least * area.least;
+    visible.most += shares[i].most * area.most;
+    whole.least += area.least;
+    whole.most += area.most;
   }
-  return rounded(least_visible / most_whole, most_visible / least_whole);
+  return rounded(visible.least / whole.most, visible.most / whole.least);
 }
 
 }  // namespace

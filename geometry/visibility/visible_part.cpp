@@ -62,7 +62,7 @@ bool contains(const ExactPlane& plane, const ExactPolygon& points) {
   return std::all_of(points.begin(), points.end(), [&](const ExactVector& v) { return plane.height(v) == 0; });
 }
 
-/// The pieces of a convex polygon that the conditions leave visible.
+/// The pieces of a convex polygon that the conditions leave visible: the polygon itself if they hide nothing of it.
 Polygons visible_pieces(const ExactPolygon& polygon, const std::vector<HidingCondition>& conditions) {
   Polygons visible;
   ExactPolygon rest = polygon;

@@ -9,12 +9,12 @@
 #include "geometry/scene/scene_reader.h"
 
 /// One run of the fuzzer: any bytes must end in rows of finite points and of problems, or in a SceneError. The first
-/// byte chooses the dimension, the rest is the file.
+/// byte chooses the columns, the rest is the file.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   std::istringstream stream(std::string(reinterpret_cast<const char*>(data + 1), size - 1));
   try {
-    gnomon::PointTable table(stream, "fuzz.csv", data[0] % 2 == 0 ? 2 : 3);
+    gnomon::PointTable table(stream, "fuzz.csv", static_cast<gnomon::TableColumns>(data[0] % 3));
     std::size_t line = 1;
     while (const auto row = table.next()) {
       const auto* point = std::get_if<gnomon::PointRow>(&*row);

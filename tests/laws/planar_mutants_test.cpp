@@ -2,12 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "apps/laws/flatland_claims.h"
+#include "apps/laws/flatland_laws.h"
 #include "apps/laws/planar_laws.h"
+#include "geometry/planar/partition_data.h"
 
 // The laws of the plane can fail too: every test breaks the subject in one way and names laws that see it.
 
@@ -49,7 +54,9 @@ Subject with_region_of(Region (*broken)(Region)) {
 /// True if each of the laws finds a counterexample within 1,000 cases of either domain.
 testing::AssertionResult caught(const Subject& subject, const std::vector<std::string>& keys) {
   std::size_t tried = 0;
-  for (const Law& law : planar_laws()) {
+  std::vector<Law> laws = planar_laws();
+  for (const auto& family : {flatland_laws(), flatland_claims()}) laws.insert(laws.end(), family.begin(), family.end());
+  for (const Law& law : laws) {
     if (std::ranges::find(keys, law.key) == keys.end()) continue;
     ++tried;
     for (const Domain domain : {Domain::random, Domain::near_degenerate}) {
@@ -116,6 +123,36 @@ TEST(PlanarLawsCatch, AnUmbraTakenForPenumbra) {
   const Subject subject =
       with_region_of([](Region region) { return region == Region::umbra ? Region::penumbra : region; });
   EXPECT_TRUE(caught(subject, {"P1", "P8", "P9", "P10"}));
+}
+
+TEST(PlanarLawsCatch, ABlockerThatIsForgotten) {
+  Subject subject;
+  subject.planar_visible_light = [](const planar::Flatland& flatland, const Point2& p) {
+    const auto& all = flatland.blockers();
+    const auto some = planar::Flatland::from_points(flatland.light(), std::span(all).first(all.size() - 1));
+    return planar::Sight(some).visible_light(p);
+  };
+  EXPECT_TRUE(caught(subject, {"Q1", "Q2", "Q3", "Q4", "Q6", "F3", "F5"}));
+}
+
+TEST(PlanarLawsCatch, ACommonPenumbraTakenForUmbra) {
+  Subject subject;
+  subject.planar_visible_light = [](const planar::Flatland& flatland, const Point2& p) {
+    planar::VisibleLight seen = planar::Sight(flatland).visible_light(p);
+    if (seen.region == Region::penumbra) seen.region = Region::umbra;
+    return seen;
+  };
+  EXPECT_TRUE(caught(subject, {"Q2", "Q3", "F3", "F4"}));
+}
+
+TEST(PlanarLawsCatch, EventsNamedByOtherPoints) {
+  Subject subject;
+  subject.planar_partition = [](const planar::Flatland& flatland) {
+    auto data = planar::partition(planar::Sight(flatland)).data();
+    for (planar::BoundaryName& name : data.names) name.far = {planar::EventPointKind::blocker_end, 0, 0};
+    return planar::Partition(std::make_shared<const planar::Partition::Data>(std::move(data)));
+  };
+  EXPECT_TRUE(caught(subject, {"Q5"}));
 }
 
 TEST(PlanarLawsCatch, AnException) {

@@ -42,11 +42,11 @@ TEST_F(Program, NamesAnUnknownCommandAndTheNearestKnownOne) {
   EXPECT_EQ(run.code, 2);
   EXPECT_THAT(run.out, IsEmpty());
   EXPECT_THAT(run.err, AllOf(HasSubstr("'shaddow'"), HasSubstr("nearest is 'shadow'"),
-                             HasSubstr("shadow, check, regions, render")));
+                             HasSubstr("shadow, check, regions, grid, irradiance, render")));
 }
 
 TEST_F(Program, SaysThatADocumentedCommandIsNotAvailableYet) {
-  for (const std::string command : {"grid", "irradiance", "discontinuities", "receivers", "theorems", "report"}) {
+  for (const std::string command : {"discontinuities", "receivers", "theorems", "report"}) {
     const Outcome run = gnomon(command + " scene.json");
     EXPECT_EQ(run.code, 4) << command;
     EXPECT_THAT(run.err, AllOf(HasSubstr("'" + command + "'"), HasSubstr("not available in this version")));
@@ -60,13 +60,13 @@ TEST_F(Program, RefusesAnOptionInPlaceOfACommand) {
 }
 
 TEST_F(Program, EveryHelpEndsWithTwoExamples) {
-  for (const std::string command : {"", "shadow ", "check ", "regions ", "render "}) {
+  for (const std::string command : {"", "shadow ", "check ", "regions ", "grid ", "irradiance ", "render "}) {
     EXPECT_THAT(examples_of(gnomon(command + "--help").out), SizeIs(2)) << command;
   }
 }
 
 TEST_F(Program, TheExamplesInItsHelpAreTrue) {
-  for (const std::string command : {"", "shadow ", "check ", "regions "}) {
+  for (const std::string command : {"", "shadow ", "check ", "regions ", "grid ", "irradiance "}) {
     for (const std::string& example : examples_of(gnomon(command + "--help").out)) {
       const Outcome run = gnomon(example);
       EXPECT_EQ(run.code, 0) << example << '\n' << run.err;

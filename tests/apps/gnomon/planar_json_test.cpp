@@ -105,5 +105,22 @@ TEST_F(PlanarJson, TakesAPolylineSegmentBySegment) {
   EXPECT_EQ(document("fence.scene.json", "--blocker fence")["pairs"].size(), 2U);
 }
 
+TEST_F(PlanarJson, TellsOfALightBehindAllSegmentsTogether) {
+  const json document = this->document("examples/figure_4_21.scene.json");
+  ASSERT_EQ(document["lights"].size(), 1U);
+  const json& light = document["lights"][0];
+  EXPECT_EQ(light["light"], "tube");
+  EXPECT_EQ(light["blockers"], json::array({"left", "right"}));
+  EXPECT_EQ(light["umbra"]["components"], 2);
+  EXPECT_EQ(light["penumbra"]["components"], 2);
+  double alone = 0;
+  for (const json& pair : document["pairs"]) alone += pair["umbra"]["volume_in_box"].get<double>();
+  EXPECT_GT(light["umbra"]["area_in_box"], alone);
+}
+
+TEST_F(PlanarJson, SaysNoMoreThanThePairWhereThereIsOnlyOne) {
+  EXPECT_FALSE(document("examples/figure_4_17.scene.json").contains("lights"));
+}
+
 }  // namespace
 }  // namespace gnomon

@@ -18,14 +18,14 @@ using testing::HasSubstr;
 /// Every row as one line: the number of the line, then the coordinates or the problem.
 std::vector<std::string> rows(const std::string& text, std::size_t dimension = 3) {
   std::istringstream stream(text);
-  PointTable table(stream, "points.csv", dimension);
+  PointTable table(stream, "points.csv", dimension == 2 ? TableColumns::planar_points : TableColumns::points);
   std::vector<std::string> result;
   while (const auto row = table.next()) {
     std::ostringstream line;
     if (const auto* malformed = std::get_if<MalformedRow>(&*row)) {
       line << malformed->line << " ! " << malformed->problem;
     } else {
-      const auto& [number, written, p] = std::get<PointRow>(*row);
+      const auto& [number, written, p, normal] = std::get<PointRow>(*row);
       line << number << " : " << p[0] << ' ' << p[1] << ' ' << p[2] << " [" << written << ']';
     }
     result.push_back(line.str());
@@ -93,6 +93,13 @@ TEST(PointTable, RefusesAnotherHeader) {
   EXPECT_THAT(refusal("x,y\n"), HasSubstr("\"x,y\""));
   EXPECT_THAT(refusal("x;y;z\n"), HasSubstr("\"x;y;z\""));
   EXPECT_THAT(refusal(std::string(1 << 20, 'x')), HasSubstr("..."));
+}
+
+TEST(PointTable, ReadsNormalsAndRefusesOneWithoutDirection) {
+  std::istringstream stream("x,y,z,nx,ny,nz\n1,2,3,0,-1,0.5\n1,2,3,0,-0,0\n");
+  PointTable table(stream, "points.csv", TableColumns::points_with_normals);
+  EXPECT_EQ(std::get<PointRow>(*table.next()).normal, (std::array<double, 3>{0, -1, 0.5}));
+  EXPECT_EQ(std::get<MalformedRow>(*table.next()).problem, "nx,ny,nz: found 0,0,0, expected a direction");
 }
 
 }  // namespace

@@ -64,8 +64,19 @@ TEST(PairPositionDegenerate, OneUlpDecides) {
             Position::light_crosses_blocker_plane);
 }
 
-TEST(PairPosition, RefusesADirectionalLight) {
-  EXPECT_THROW(pair_position(DirectionalLight{{0, 0, -1}}, unit_square(1)), PreconditionError);
+TEST(PairPosition, OfADirectionalLightIsStandardUnlessItsRaysRunAlongTheBlocker) {
+  EXPECT_EQ(pair_position(DirectionalLight{{0, 0, -1}}, unit_square(1)), Position::standard);
+  EXPECT_EQ(pair_position(DirectionalLight{{1, 2, 0}}, unit_square(1)), Position::coplanar);
+}
+
+TEST(PairPosition, OfASolidSaysWhetherTheLightReachesIntoItOrTouchesIt) {
+  const ConvexBlocker cube = ConvexSolid::hull_of(
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}});
+  EXPECT_EQ(pair_position(LinearLight{{-1, 0.5, 0.5}, {2, 0.5, 0.5}}, cube), Position::light_crosses_blocker_plane);
+  EXPECT_EQ(pair_position(LinearLight{{-1, 0.5, 1}, {2, 0.5, 1}}, cube), Position::touching);
+  EXPECT_EQ(pair_position(LinearLight{{-1, -1, 0.5}, {1, -1, 0.5}}, cube), Position::standard);
+  EXPECT_EQ(pair_position(PointLight{{0.5, 0.5, 1}}, cube), Position::touching);
+  EXPECT_EQ(pair_position(PointLight{{0.5, 0.5, 0.5}}, cube), Position::light_crosses_blocker_plane);
 }
 
 }  // namespace

@@ -1,0 +1,102 @@
+#include <array>
+#include <atomic>
+#include <charconv>
+#include <iostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "apps/gnomon/command_line.h"
+#include "apps/gnomon/commands.h"
+#include "apps/gnomon/point_batches.h"
+#include "apps/gnomon/region_finder.h"
+#include "apps/gnomon/text.h"
+#include "geometry/scene/scene_reader.h"
+#include "viz/grid_file.h"
+
+namespace gnomon {
+namespace {
+
+struct GridOptions : CommonOptions {
+  std::string shape;
+  std::string out;
+};
+
+/// As many points fit into memory without a thought: 17 bytes for each light.
+constexpr std::size_t most_points = 1'000'000'000;
+
+void add_options(CLI::App& app, GridOptions& options) {
+  add_text(app, "SCENE", options.scene, "FILE", "Scene file")->required();
+  add_text(app, "--shape", options.shape, "nx,ny,nz", "Number of points along x, y and z")->required();
+  add_text(app, "--box", options.box, "xmin,ymin,zmin,xmax,ymax,zmax",
+           "The grid runs from corner to corner of this box (default: the scene's, grown by half its diagonal); a\n"
+           "single point along an axis lies in the middle");
+  add_text(app, "--out", options.out, "FILE.vti", "Write this file")->required();
+  add_text(app, "--light", options.light, "NAME", "Only this light");
+  add_threads_option(app, options);
+  add_quiet_option(app, options);
+  app.footer(
+      "The file holds VTK image data with the point arrays region (0 lit, 1 penumbra, 2 umbra, 3 unlit),\n"
+      "visible_fraction and error_bound; of several lights, with _NAME behind each.\n\n"
+      "Examples:\n"
+      "  gnomon grid examples/figure_4_22.scene.json --shape 40,40,1 --box -9,-9,-1,9,9,1 --out floor.vti\n"
+      "  gnomon grid examples/cornell_box.scene.json --shape 12,12,12 --light ceiling_lamp --out room.vti\n");
+}
+
+std::array<std::uint32_t, 3> shape_from_text(const std::string& text) {
+  const std::vector<std::string_view> fields = comma_separated(text);
+  std::array<std::uint32_t, 3> shape{};
+  bool good = fields.size() == 3;
+  std::size_t points = 1;
+  for (std::size_t i = 0; good && i < 3; ++i) {
+    const char* end = fields[i].data() + fields[i].size();
+    const auto [stop, error] = std::from_chars(fields[i].data(), end, shape[i]);
+    good = error == std::errc() && stop == end && shape[i] > 0 && shape[i] <= most_points / points;
+    points *= shape[i];
+  }
+  if (!good) {
+    throw UsageError("--shape " + text + ": expected three positive whole numbers nx,ny,nz with at most " +
+                     std::to_string(most_points) + " points");
+  }
+  return shape;
+}
+
+std::vector<GridValues> grid_values(const PointGrid& grid, const RegionFinder& finder, unsigned threads) {
+  std::vector<GridValues> values;
+  for (const std::string& light : finder.lights) {
+    values.push_back({finder.lights.size() > 1 ? '_' + light : "", std::vector<std::uint8_t>(grid.size()),
+                      std::vector<double>(grid.size()), std::vector<double>(grid.size())});
+  }
+  tbb::task_arena arena(arena_size(threads));
+  for_all(grid.size(), arena, [&](std::size_t i) {
+    const Point3 p = grid.point(i);
+    const std::vector<Visibility> seen = finder.at({p.x, p.y, p.z});
+    for (std::size_t l = 0; l < seen.size(); ++l) {
+      values[l].region[i] = static_cast<std::uint8_t>(seen[l].region);
+      values[l].visible_fraction[i] = seen[l].fraction;
+      values[l].error_bound[i] = seen[l].error_bound;
+    }
+  });
+  return values;
+}
+
+}  // namespace
+
+ExitCode grid_command(Arguments arguments) {
+  CLI::App app(
+      "Tells for the points of a grid what they receive of each light behind all blockers together, as VTK image\n"
+      "data: the region, decided exactly, the visible fraction, and a bound of its error.",
+      "gnomon grid");
+  GridOptions options;
+  add_options(app, options);
+  if (!parse_arguments(app, arguments)) return ExitCode::done;
+  const std::array<std::uint32_t, 3> shape = shape_from_text(options.shape);
+  const Scene scene = read_scene(options.scene);
+  const RegionFinder finder = region_finder(scene, options.light);
+  const PointGrid grid = PointGrid::in_box(shape, clip_box(scene, options.box));
+  write_grid(grid, grid_values(grid, finder, options.threads), scene, options.out);
+  if (!options.quiet) std::cout << options.out << ": " << counted(grid.size(), "point") << '\n';
+  return ExitCode::done;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <tbb/task_arena.h>
+
+#include <cstddef>
+#include <functional>
+#include <istream>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "apps/gnomon/commands.h"
+#include "apps/gnomon/point_table.h"
+
+namespace gnomon {
+
+using TableRow = std::variant<PointRow, MalformedRow>;
+
+/// Calls the function with the points' stream and its name in messages; `at` is a file name or "-" for stdin.
+///
+/// Throws: SceneError if the file cannot be read.
+ExitCode with_points(const std::string& at, const std::function<ExitCode(std::istream&, const std::string&)>& work);
+
+/// The next rows of the table, at most 1,024: as many are held in memory at a time. None at the end.
+std::vector<TableRow> next_rows(PointTable& table);
+
+/// What a task_arena calls a number of threads; 0: as many as there are processors.
+int arena_size(unsigned threads);
+
+/// Does the work for every index below count, on the arena's threads, in no order.
+void for_all(std::size_t count, tbb::task_arena& threads, const std::function<void(std::size_t)>& work);
+
+}  // namespace gnomon

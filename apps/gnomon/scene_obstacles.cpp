@@ -1,0 +1,18 @@
+#include "apps/gnomon/scene_obstacles.h"
+
+#include <utility>
+
+#include "geometry/scene/convex_parts.h"
+
+namespace gnomon {
+
+PreparedObstacles scene_obstacles(const Scene& scene) {
+  Obstacles obstacles;
+  for (const SceneBlocker& blocker : scene.blockers) {
+    for (ConvexPart& part : convex_parts(blocker)) obstacles.blockers.push_back(std::move(part.shape));
+    if (auto space = enclosed_space(blocker)) obstacles.enclosures.push_back(std::move(*space));
+  }
+  return PreparedObstacles(std::move(obstacles));
+}
+
+}  // namespace gnomon

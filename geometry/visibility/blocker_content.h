@@ -1,0 +1,47 @@
+#pragma once
+
+/// What a BlockerSet consists of. Private to this folder.
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "geometry/spatial/convex_solid.h"
+#include "geometry/visibility/blocker_set.h"
+#include "geometry/visibility/outline.h"
+
+namespace gnomon {
+
+/// A hierarchy of boxes; only its .cpp knows the library behind it.
+class BoxTree;
+
+/// The pyramid with its apex in the eye and its base on the light's plane.
+struct LightPyramid {
+  Point3 apex;
+  std::span<const sight::Plane> sides;  ///< positive side inside
+  sight::LightPlane base;
+};
+
+struct BlockerSet::Content {
+  /// A blocker. A flat one has its corners in `points` and the names of their edges in `names`.
+  struct Shape {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+    std::int32_t solid = -1;  ///< index in `solids`, or -1 for a flat blocker
+  };
+  std::vector<Point3> points;
+  std::vector<std::uint32_t> names;
+  std::vector<Shape> shapes;
+  std::vector<ConvexSolid> solids;
+  std::shared_ptr<const BoxTree> tree;
+  double largest = 0;  ///< absolute coordinate
+
+  std::span<const Point3> corners(const Shape& shape) const { return {points.data() + shape.first, shape.count}; }
+
+  /// Replaces `found` by the indices, ascending, of every blocker that has a point in the pyramid, and some others.
+  /// Exactness: a box is left out only where its distance exceeds all that may have been rounded.
+  void collect(const LightPyramid& pyramid, std::vector<std::uint32_t>& found) const;
+};
+
+}  // namespace gnomon

@@ -1,0 +1,102 @@
+#include "geometry/visibility/box_tree.h"
+
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Simple_cartesian.h>
+
+namespace gnomon {
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+
+struct NamedBox {
+  using Id = std::uint32_t;
+  using Point = Kernel::Point_3;
+  using Datum = Kernel::Iso_cuboid_3;
+
+  Id name = 0;
+  Datum box;
+
+  Id id() const { return name; }
+  const Datum& datum() const { return box; }
+  Point reference_point() const { return box.min(); }
+};
+
+using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, NamedBox>>;
+
+/// Largest value of dot(normal, x - apex) over the box, and the size of its farthest corner.
+struct Reach {
+  double value;
+  double size;
+};
+
+Reach reach(const CGAL::Bbox_3& box, const Point3& apex, const sight::Vector& normal) {
+  const sight::Vector low{box.xmin() - apex.x, box.ymin() - apex.y, box.zmin() - apex.z};
+  const sight::Vector high{box.xmax() - apex.x, box.ymax() - apex.y, box.zmax() - apex.z};
+  const sight::Vector far{normal.x > 0 ? high.x : low.x, normal.y > 0 ? high.y : low.y, normal.z > 0 ? high.z : low.z};
+  return {sight::dot(normal, far), std::max(sight::size_of(low), sight::size_of(high))};
+}
+
+/// A box is outside if a plane of the pyramid says so with more than the rounding of its normal, of the differences and
+/// of the product: `side_bound` times the size, as for a single ray.
+bool may_meet(const CGAL::Bbox_3& box, const LightPyramid& pyramid) {
+  for (const sight::Plane& plane : pyramid.sides) {
+    const Reach out = reach(box, pyramid.apex, plane.normal);
+    if (out.value < -(plane.side_bound * out.size + sight::tiny)) return false;
+  }
+  const sight::Vector& forward = pyramid.base.normal;
+  const Reach deepest = reach(box, pyramid.apex, forward);
+  const double bound = pyramid.base.depth_error(deepest.size, sight::unit * deepest.size);
+  if (deepest.value < -bound) return false;
+  const Reach nearest = reach(box, pyramid.apex, {-forward.x, -forward.y, -forward.z});
+  return -nearest.value <= pyramid.base.height + pyramid.base.height_error + bound;
+}
+
+/// CGAL's way of asking: which nodes to enter, and what to do with the primitives below.
+struct Search {
+  std::vector<std::uint32_t>& found;
+
+  bool go_further() const { return true; }
+  void intersection(const LightPyramid& pyramid, const NamedBox& box) {
+    if (may_meet(box.datum().bbox(), pyramid)) found.push_back(box.id());
+  }
+  template <class Node>
+  bool do_intersect(const LightPyramid& pyramid, const Node& node) const {
+    return may_meet(node.bbox(), pyramid);
+  }
+};
+
+}  // namespace
+
+class BoxTree {
+ public:
+  explicit BoxTree(const std::vector<NamedBox>& boxes) {
+    for (const NamedBox& box : boxes) tree_.insert(box);
+    tree_.build();
+  }
+
+  void search(const LightPyramid& pyramid, std::vector<std::uint32_t>& found) const {
+    Search search{found};
+    tree_.traversal(pyramid, search);
+  }
+
+ private:
+  Tree tree_;
+};
+
+std::shared_ptr<const BoxTree> box_tree(std::span<const Box3> boxes) {
+  std::vector<NamedBox> named;
+  named.reserve(boxes.size());
+  for (const Box3& box : boxes) {
+    const Kernel::Point_3 low(box.min.x, box.min.y, box.min.z);
+    const Kernel::Point_3 high(box.max.x, box.max.y, box.max.z);
+    named.push_back({static_cast<std::uint32_t>(named.size()), Kernel::Iso_cuboid_3(low, high)});
+  }
+  return std::make_shared<const BoxTree>(named);
+}
+
+void append_boxes_in(const BoxTree& tree, const LightPyramid& pyramid, std::vector<std::uint32_t>& found) {
+  tree.search(pyramid, found);
+}
+
+}  // namespace gnomon

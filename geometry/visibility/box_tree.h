@@ -1,0 +1,21 @@
+#pragma once
+
+/// A hierarchy over boxes, searched with a pyramid. Private to this folder.
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "geometry/visibility/blocker_content.h"
+
+namespace gnomon {
+
+/// The tree over the boxes; box i is named i.
+std::shared_ptr<const BoxTree> box_tree(std::span<const Box3> boxes);
+
+/// Appends the names of all boxes that meet the pyramid, and of some others, in no order.
+/// Exactness: conservative.
+void append_boxes_in(const BoxTree& tree, const LightPyramid& pyramid, std::vector<std::uint32_t>& found);
+
+}  // namespace gnomon

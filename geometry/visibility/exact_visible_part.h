@@ -1,0 +1,13 @@
+#pragma once
+
+/// What is left of a light behind obstacles, as exact polygons and intervals. Private: it speaks of rational numbers.
+
+#include "geometry/visibility/visibility.h"
+#include "geometry/visibility/visible_part.h"
+
+namespace gnomon {
+
+/// The visible part of which exact_visibility tells the region and the fraction.
+VisiblePart exact_visible_part(const Light& light, const Obstacles& obstacles, const Point3& p);
+
+}  // namespace gnomon

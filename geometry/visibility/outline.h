@@ -1,0 +1,111 @@
+#pragma once
+
+/// Lights and blockers as seen from the apex: convex outlines of rays and planes. Private to this folder.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/visibility/sightline.h"
+
+namespace gnomon::sight {
+
+/// A box on the light's plane, in two of its coordinates; closed, and large enough whatever was rounded.
+struct FlatBox {
+  double low_u = HUGE_VAL;
+  double low_v = HUGE_VAL;
+  double high_u = -HUGE_VAL;
+  double high_v = -HUGE_VAL;
+
+  void include(const FlatBox& other) {
+    low_u = std::min(low_u, other.low_u);
+    low_v = std::min(low_v, other.low_v);
+    high_u = std::max(high_u, other.high_u);
+    high_v = std::max(high_v, other.high_v);
+  }
+  void cut(const FlatBox& other) {
+    low_u = std::max(low_u, other.low_u);
+    low_v = std::max(low_v, other.low_v);
+    high_u = std::min(high_u, other.high_u);
+    high_v = std::min(high_v, other.high_v);
+  }
+  bool meets(const FlatBox& other) const {
+    return (low_u <= other.high_u) & (other.low_u <= high_u) & (low_v <= other.high_v) & (other.low_v <= high_v);
+  }
+};
+
+/// One outline: the rays and planes `first` to `first + count` of an Outlines.
+///
+/// Orientation: the positive side of every plane holds the outline; plane k runs from ray k to ray k + 1.
+///              No three consecutive rays lie in one plane.
+struct Outline {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+  std::uint32_t element = 0;  ///< index of the blocker
+  bool ahead = true;          ///< every ray certainly runs towards the light's plane, so that box is finite
+  FlatBox box;                ///< cut to the light's, which is all that matters
+};
+
+/// Outlines in one piece of memory that is used again for the next apex.
+struct Outlines {
+  std::vector<Ray> rays;
+  std::vector<Plane> planes;
+  std::vector<FlatBox> boxes;  ///< of each ray's point on the light's plane
+  std::vector<Outline> list;
+
+  void clear() {
+    rays.clear();
+    planes.clear();
+    boxes.clear();
+    list.clear();
+  }
+  std::span<const Ray> rays_of(const Outline& o) const { return {rays.data() + o.first, o.count}; }
+  std::span<const Plane> planes_of(const Outline& o) const { return {planes.data() + o.first, o.count}; }
+};
+
+/// The light's plane in front of the apex: depth grows from 0 at the apex to `height` on the plane.
+struct LightPlane {
+  Vector normal;
+  double size = 0;
+  double error = 0;  ///< of each coordinate of the normal
+  double height = 0;
+  double height_error = 0;
+  int u = 0;  ///< the two coordinates that are kept where the plane is looked at as flat
+  int v = 1;
+
+  double depth(const Vector& direction) const { return dot(normal, direction); }
+
+  /// At least the error of depth(), for a direction of this size whose coordinates are off by `direction_error`.
+  double depth_error(double direction_size, double direction_error) const {
+    return 3.1 * (size * direction_error + error * direction_size) + 9.5 * unit * size * direction_size + tiny;
+  }
+};
+
+inline double coordinate(const Vector& a, int axis) {
+  return axis == 0 ? a.x : axis == 1 ? a.y : a.z;
+}
+
+/// Where a ray meets the light's plane, relative to the apex, in the two kept coordinates.
+/// Exactness: each coordinate is off by at most `error`, which may be infinite.
+struct FlatPoint {
+  double u = 0;
+  double v = 0;
+  double error = HUGE_VAL;
+};
+
+/// Bound. The quotient height / depth has the relative error of both and two roundings; the product with a coordinate
+/// adds one, and the coordinate's own error is scaled along.
+inline FlatPoint meeting_point(const LightPlane& plane, const Vector& direction, double size, double error) {
+  const double depth = plane.depth(direction);
+  const double depth_error = plane.depth_error(size, error);
+  if (!(depth > 4 * depth_error)) return {};
+  const double scale = plane.height / depth;
+  const double relative = 1.5 * depth_error / depth + 1.5 * plane.height_error / plane.height + 5 * unit;
+  const double u = scale * coordinate(direction, plane.u);
+  const double v = scale * coordinate(direction, plane.v);
+  return {u, v, 1.01 * relative * std::max(std::fabs(u), std::fabs(v)) + 2 * scale * error};
+}
+
+}  // namespace gnomon::sight

@@ -1,0 +1,245 @@
+#include "geometry/visibility/outline_builder.h"
+
+#include <algorithm>
+
+#include "geometry/spatial/orientation.h"
+
+namespace gnomon::sight {
+namespace {
+
+/// An edge between a facet that shows itself to the apex and one that does not.
+struct SilhouetteEdge {
+  std::uint32_t from;
+  std::uint32_t to;
+  std::uint32_t name;
+};
+
+/// The silhouette in order around the solid; empty if no facet shows itself: the apex lies in the solid.
+std::vector<SilhouetteEdge> silhouette(const Point3& apex, const ConvexSolid& solid) {
+  const std::span<const Point3> points = solid.points();
+  std::vector<bool> shows;
+  for (const ConvexSolid::Facet& facet : solid.facets()) {
+    const auto& loop = facet.loop;
+    shows.push_back(exact_orientation(points[loop[0]], points[loop[1]], points[loop[2]], apex) > 0);
+  }
+  std::vector<SilhouetteEdge> edges;
+  for (std::uint32_t e = 0; e < solid.edges().size(); ++e) {
+    const ConvexSolid::Edge& edge = solid.edges()[e];
+    if (shows[edge.left] == shows[edge.right]) continue;
+    edges.push_back(shows[edge.left] ? SilhouetteEdge{edge.from, edge.to, e} : SilhouetteEdge{edge.to, edge.from, e});
+  }
+  for (std::size_t k = 0; k + 2 < edges.size(); ++k) {
+    const auto next = std::find_if(edges.begin() + static_cast<std::ptrdiff_t>(k) + 1, edges.end(),
+                                   [&](const SilhouetteEdge& edge) { return edge.from == edges[k].to; });
+    std::iter_swap(edges.begin() + static_cast<std::ptrdiff_t>(k) + 1, next);
+  }
+  return edges;
+}
+
+}  // namespace
+
+OutlineBuilder::OutlineBuilder(const Point3& apex, std::span<const Point3> light_corners,
+                               std::span<const std::uint32_t> names, bool reversed, const LightPlane& plane,
+                               Outlines& outlines)
+    : apex_(apex), light_corners_(light_corners), plane_(plane), outlines_(outlines) {
+  outlines_.clear();
+  append_rays(light_corners, reversed);
+  append_planes(names, reversed);
+  finished(0);
+}
+
+void OutlineBuilder::append_rays(std::span<const Point3> corners, bool reversed) {
+  first_ = static_cast<std::uint32_t>(outlines_.rays.size());
+  for (const Point3& corner : corners) outlines_.rays.push_back(ray_through(apex_, corner));
+  if (reversed) std::reverse(outlines_.rays.begin() + first_, outlines_.rays.end());
+}
+
+/// Reversed, ray k is corner count - 1 - k; the edge to ray k + 1 is the one that ends there in the order given.
+void OutlineBuilder::append_planes(std::span<const std::uint32_t> names, bool reversed) {
+  const std::size_t count = names.size();
+  const Ray* rays = outlines_.rays.data() + first_;
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t next = k + 1 == count ? 0 : k + 1;
+    const std::size_t original = reversed ? (2 * count - 2 - k) % count : k;
+    outlines_.planes.push_back(plane_through(rays[k], rays[next], names[original]));
+  }
+}
+
+FlatBox OutlineBuilder::point_box(const Ray& ray, bool& ahead) const {
+  const FlatPoint p = meeting_point(plane_, ray.direction, ray.size, unit * ray.size);
+  ahead = ahead && p.error < HUGE_VAL;
+  return {p.u - p.error, p.v - p.error, p.u + p.error, p.v + p.error};
+}
+
+Seen OutlineBuilder::dropped() {
+  outlines_.rays.resize(first_);
+  outlines_.planes.resize(first_);
+  return Seen::apart;
+}
+
+bool OutlineBuilder::certainly_outside() const {
+  for (const Plane& plane : outlines_.planes_of(outlines_.list.front())) {
+    bool outside = true;
+    for (std::size_t k = first_; outside && k < outlines_.rays.size(); ++k) {
+      const Ray& ray = outlines_.rays[k];
+      outside = dot(plane.normal, ray.direction) < -(plane.side_bound * ray.size + tiny);
+    }
+    if (outside) return true;
+  }
+  return false;
+}
+
+bool OutlineBuilder::certainly_behind_apex() const {
+  return std::all_of(outlines_.rays.begin() + first_, outlines_.rays.end(), [&](const Ray& ray) {
+    return plane_.depth(ray.direction) < -plane_.depth_error(ray.size, unit * ray.size);
+  });
+}
+
+OutlineBuilder::Depth OutlineBuilder::depth_of_rays() const {
+  bool before = false;
+  bool beyond = false;
+  int apex_side = 0;
+  for (std::size_t k = first_; k < outlines_.rays.size(); ++k) {
+    const Ray& ray = outlines_.rays[k];
+    const double error = plane_.height_error + plane_.depth_error(ray.size, unit * ray.size);
+    const double left = plane_.height - plane_.depth(ray.direction);
+    int sign = left > error ? 1 : left < -error ? -1 : 0;
+    if (sign == 0) {
+      const auto side_of = [&](const Point3& p) {
+        return exact_orientation(light_corners_[0], light_corners_[1], light_corners_[2], p);
+      };
+      if (apex_side == 0) apex_side = side_of(apex_);
+      sign = apex_side * side_of(*ray.point);
+    }
+    before = before || sign > 0;
+    beyond = beyond || sign < 0;
+  }
+  if (!before) return Depth::behind;
+  return beyond ? Depth::crossing : Depth::in_front;
+}
+
+/// Where the light lies with respect to a plane that does not hold the apex. No open segment from the apex passes
+/// through the plane to its own side; to the other side every one does.
+OutlineBuilder::Beyond OutlineBuilder::light_beyond(const Point3& a, const Point3& b, const Point3& c) const {
+  const int apex_side = exact_orientation(a, b, c, apex_);
+  bool here = false;
+  bool beyond = false;
+  for (const Point3& corner : light_corners_) {
+    const int side = apex_side * exact_orientation(a, b, c, corner);
+    here = here || side > 0;
+    beyond = beyond || side < 0;
+  }
+  return !beyond ? Beyond::none : here ? Beyond::part : Beyond::all;
+}
+
+/// Looks from the light's corners to the outline's planes, and closes the outline if it may hide something.
+Seen OutlineBuilder::finished(std::uint32_t element) {
+  Outline outline;
+  outline.first = first_;
+  outline.count = static_cast<std::uint32_t>(outlines_.rays.size()) - first_;
+  outline.element = element;
+  if (!outlines_.list.empty()) {
+    const std::span<const Ray> light = outlines_.rays_of(outlines_.list.front());
+    bool covers = true;
+    for (const Plane& plane : outlines_.planes_of(outline)) {
+      bool apart = true;
+      for (const Ray& ray : light) {
+        const int sign = side(apex_, plane, ray);
+        apart = apart && sign <= 0;
+        covers = covers && sign >= 0;
+      }
+      if (apart) return dropped();
+    }
+    if (covers) return Seen::covers;
+  }
+  outlines_.boxes.resize(first_);
+  for (const Ray& ray : outlines_.rays_of(outline)) {
+    outlines_.boxes.push_back(point_box(ray, outline.ahead));
+    outline.box.include(outlines_.boxes.back());
+  }
+  if (!outlines_.list.empty()) outline.box.cut(outlines_.list.front().box);
+  outlines_.list.push_back(outline);
+  return Seen::outlined;
+}
+
+Seen OutlineBuilder::append_flat(std::span<const Point3> corners, std::span<const std::uint32_t> names,
+                                 std::uint32_t element) {
+  append_rays(corners, false);
+  if (certainly_outside() || certainly_behind_apex()) return dropped();
+  const Depth depth = depth_of_rays();
+  if (depth == Depth::behind) return dropped();
+  append_planes(names, false);
+  const int turn = side(apex_, outlines_.planes[first_], outlines_.rays[first_ + 2]);
+  if (turn == 0) return dropped();
+  if (turn < 0) {
+    std::reverse(outlines_.rays.begin() + first_, outlines_.rays.end());
+    outlines_.planes.resize(first_);
+    append_planes(names, true);
+  }
+  if (depth == Depth::in_front) return finished(element);
+  const Beyond beyond = light_beyond(corners[0], corners[1], corners[2]);
+  if (beyond == Beyond::none) return dropped();
+  const Seen seen = finished(element);
+  return beyond == Beyond::part && seen != Seen::apart ? Seen::undecided : seen;
+}
+
+/// Near the apex the solid is what lies behind all facets through it; a segment meets the solid if it starts into that.
+Seen OutlineBuilder::seen_from_inside(const ConvexSolid& solid) const {
+  const std::span<const Point3> points = solid.points();
+  bool covers = true;
+  for (const ConvexSolid::Facet& facet : solid.facets()) {
+    const auto side_of = [&](const Point3& p) {
+      return exact_orientation(points[facet.loop[0]], points[facet.loop[1]], points[facet.loop[2]], p);
+    };
+    if (side_of(apex_) != 0) continue;
+    bool apart = true;
+    for (const Point3& corner : light_corners_) {
+      const int side = side_of(corner);
+      apart = apart && side >= 0;
+      covers = covers && side <= 0;
+    }
+    if (apart) return Seen::apart;
+  }
+  return covers ? Seen::covers : Seen::undecided;
+}
+
+/// True if the light lies beyond every facet that shows itself to the apex, or in its plane.
+bool OutlineBuilder::light_beyond_all_shown(const ConvexSolid& solid) const {
+  const std::span<const Point3> points = solid.points();
+  return std::all_of(solid.facets().begin(), solid.facets().end(), [&](const ConvexSolid::Facet& facet) {
+    const auto side_of = [&](const Point3& p) {
+      return exact_orientation(points[facet.loop[0]], points[facet.loop[1]], points[facet.loop[2]], p);
+    };
+    return side_of(apex_) <= 0 || std::all_of(light_corners_.begin(), light_corners_.end(),
+                                              [&](const Point3& corner) { return side_of(corner) <= 0; });
+  });
+}
+
+/// A facet seen edge-on leaves several edges in one plane; their common vertices are no rays of the outline.
+Seen OutlineBuilder::append_solid(const ConvexSolid& solid, std::uint32_t element) {
+  const std::span<const Point3> points = solid.points();
+  const std::vector<SilhouetteEdge> edges = silhouette(apex_, solid);
+  if (edges.empty()) return seen_from_inside(solid);
+  first_ = static_cast<std::uint32_t>(outlines_.rays.size());
+  std::vector<std::uint32_t> names;
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const SilhouetteEdge& before = edges[k == 0 ? edges.size() - 1 : k - 1];
+    if (exact_orientation(apex_, points[before.from], points[edges[k].from], points[edges[k].to]) == 0) continue;
+    outlines_.rays.push_back(ray_through(apex_, points[edges[k].from]));
+    names.push_back(edges[k].name);
+  }
+  if (certainly_outside() || certainly_behind_apex()) return dropped();
+  const Depth depth = depth_of_rays();
+  if (depth == Depth::behind) return dropped();
+  append_planes(names, false);
+  if (side(apex_, outlines_.planes[first_], outlines_.rays[first_ + 2]) < 0) {
+    std::reverse(outlines_.rays.begin() + first_, outlines_.rays.end());
+    outlines_.planes.resize(first_);
+    append_planes(names, true);
+  }
+  const bool decided = depth == Depth::in_front || light_beyond_all_shown(solid);
+  const Seen seen = finished(element);
+  return decided || seen == Seen::apart ? seen : Seen::undecided;
+}
+
+}  // namespace gnomon::sight

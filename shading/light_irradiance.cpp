@@ -1,0 +1,103 @@
+#include "shading/light_irradiance.h"
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "geometry/errors.h"
+#include "geometry/rounding.h"
+#include "geometry/visibility/exact_visible_part.h"
+#include "shading/lambert.h"
+#include "shading/small_lights.h"
+
+namespace gnomon {
+namespace {
+
+constexpr double unit = 0x1p-53;
+
+/// The widest bound per strength that is taken from the fast level.
+constexpr double widest_bound = 1e-9;
+
+/// Of coordinates rounded to the nearest double; root of three is below 1.74.
+SightDirection rounded(const ExactVector& v) {
+  SightDirection d{nearest_double(v.x), nearest_double(v.y), nearest_double(v.z), 0};
+  d.error = 1.74 * unit * std::fmax(std::fmax(std::fabs(d.x), std::fabs(d.y)), std::fabs(d.z));
+  return d;
+}
+
+/// The boundary of one exact polygon; `turned` if it runs clockwise seen from p.
+std::vector<BoundaryPiece> boundary_of(const ExactPolygon& polygon, const ExactVector& p, bool turned) {
+  std::vector<BoundaryPiece> boundary;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    ExactVector from = polygon[k] - p;
+    ExactVector to = polygon[(k + 1) % polygon.size()] - p;
+    if (turned) std::swap(from, to);
+    boundary.push_back({std::nullopt, 0, rounded(from), rounded(to), rounded(cross(from, to))});
+  }
+  return boundary;
+}
+
+Irradiance sum_of(const Irradiance& a, const Irradiance& b) {
+  const double value = a.value + b.value;
+  return {value, a.error_bound + b.error_bound + 2 * unit * value};
+}
+
+/// Of a facet's visible pieces, each added up for itself. A facet that turns its back gives nothing.
+Irradiance facet_irradiance(const SeenFacet& seen, bool two_sided, const ExactVector& p, const Point3& normal) {
+  const ExactPlane plane = plane_through(seen.facet[0], seen.facet[1], seen.facet[2]);
+  const int side = plane.height(p).sign();
+  if (side == 0 || (side < 0 && !two_sided)) return {};
+  Irradiance sum;
+  for (const ExactPolygon& polygon : seen.visible) {
+    // Counterclockwise from the front, a polygon has its planes' negative sides inside for who stands there.
+    const std::vector<BoundaryPiece> boundary = boundary_of(polygon, p, side > 0);
+    const SightDirection forward = rounded(Rational(-side) * plane.normal);
+    sum = sum_of(sum, lambert_irradiance({Region::penumbra, 0, 0, boundary, forward}, normal, 1));
+  }
+  return sum;
+}
+
+Irradiance scaled(const Irradiance& e, double strength) {
+  if (strength == 0) return {};
+  const double value = strength * e.value;
+  return {value, 1.001 * strength * e.error_bound + 2 * unit * value};
+}
+
+}  // namespace
+
+LightIrradiance::LightIrradiance(Light light, double strength, PreparedObstacles obstacles)
+    : light_(std::move(light)), strength_(strength), obstacles_(std::move(obstacles)) {
+  if (const auto* area = std::get_if<AreaLight>(&light_)) fast_.emplace(*area, obstacles_.blockers());
+}
+
+std::optional<Irradiance> LightIrradiance::fast_answer(const Point3& p, const Point3& normal) {
+  if (!fast_ || obstacles_.may_enclose(p)) return std::nullopt;
+  const std::optional<LightSeen> seen = fast_->seen_from(p);
+  if (!seen) return std::nullopt;
+  const Irradiance e = lambert_irradiance(*seen, normal, 1);
+  if (!(e.error_bound <= widest_bound)) return std::nullopt;
+  return e;
+}
+
+Irradiance LightIrradiance::exact_answer(const Point3& p, const Point3& normal) const {
+  const VisiblePart part = exact_visible_part(light_, obstacles_.obstacles(), p);
+  if (part.region == Region::umbra || part.region == Region::unlit) return {};
+  if (const auto* point = std::get_if<PointLight>(&light_)) return point_irradiance(*point, p, normal);
+  if (const auto* sun = std::get_if<DirectionalLight>(&light_)) return directional_irradiance(*sun, normal);
+  if (const auto* linear = std::get_if<LinearLight>(&light_)) {
+    return linear_irradiance(*linear, part.intervals, p, normal);
+  }
+  Irradiance sum;
+  for (const SeenFacet& seen : part.facets) {
+    sum = sum_of(sum, facet_irradiance(seen, std::get<AreaLight>(light_).two_sided, exact(p), normal));
+  }
+  return sum;
+}
+
+Irradiance LightIrradiance::at(const Point3& p, const Point3& normal) {
+  if (normal == Point3{}) throw PreconditionError("the receiver's normal has no direction");
+  const std::optional<Irradiance> fast = fast_answer(p, normal);
+  return scaled(fast ? *fast : exact_answer(p, normal), strength_);
+}
+
+}  // namespace gnomon

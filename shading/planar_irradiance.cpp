@@ -1,0 +1,120 @@
+#include "shading/planar_irradiance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "geometry/errors.h"
+#include "geometry/kernel.h"
+#include "geometry/planar/orientation.h"
+
+namespace gnomon {
+namespace {
+
+using planar::EventPointKind;
+using planar::IntervalEnd;
+
+/// A visible interval, and the signs of the heights of its ends above the horizon. Signs are decided before the
+/// rounding mode is changed: predicates need the usual one.
+struct SeenPart {
+  planar::VisibleInterval interval;
+  int from = 0;
+  int to = 0;
+};
+
+/// Looks from a receiver's point along directions to interval ends.
+class Hemisphere {
+ public:
+  Hemisphere(const planar::Flatland& flatland, const PlanarReceiverPoint& receiver)
+      : flatland_(flatland), receiver_(receiver) {
+    const auto light = flatland.light();
+    side_ = planar::orientation(light[0], light[1], receiver.point);
+  }
+
+  std::vector<SeenPart> parts_of(const planar::VisibleLight& seen) const {
+    std::vector<SeenPart> parts;
+    for (const auto& interval : seen.intervals) parts.push_back({interval, height(interval.from), height(interval.to)});
+    return parts;
+  }
+
+  /// The integral of the cosine over a visible interval. Requires: the rounding mode protected.
+  Interval integral(const SeenPart& part) const {
+    const auto& [interval, from, to] = part;
+    if (from <= 0 && to <= 0) return 0;
+    // Along the light the view turns counterclockwise from the light's left side. The horizon has the sines -1 and 1.
+    const Interval sine_from = from > 0 ? sine(interval.from) : Interval(-side_);
+    const Interval sine_to = to > 0 ? sine(interval.to) : Interval(side_);
+    return side_ * (sine_to - sine_from);
+  }
+
+ private:
+  /// The sign of the height of the direction to an end above the horizon, exactly.
+  int height(const IntervalEnd& end) const {
+    const Point2 horizon{receiver_.normal.y, -receiver_.normal.x};
+    if (end.name.kind != EventPointKind::crossing) return planar::turn({0, 0}, horizon, receiver_.point, target(end));
+    const auto light = flatland_.light();
+    const auto& [a, b] = flatland_.blockers()[end.name.element];
+    const Rational at_a = height_over_light(a), at_b = height_over_light(b);
+    const Rational share = at_a / (at_a - at_b);
+    const Rational x = Rational(a.x) + share * (Rational(b.x) - Rational(a.x)) - Rational(receiver_.point.x);
+    const Rational y = Rational(a.y) + share * (Rational(b.y) - Rational(a.y)) - Rational(receiver_.point.y);
+    return CGAL::sign(Rational(Rational(receiver_.normal.x) * x + Rational(receiver_.normal.y) * y));
+  }
+
+  Rational height_over_light(const Point2& p) const {
+    const auto light = flatland_.light();
+    return (Rational(light[1].x) - Rational(light[0].x)) * (Rational(p.y) - Rational(light[0].y)) -
+           (Rational(light[1].y) - Rational(light[0].y)) * (Rational(p.x) - Rational(light[0].x));
+  }
+
+  /// The input point in whose direction an end lies.
+  Point2 target(const IntervalEnd& end) const {
+    if (end.name.kind == EventPointKind::light_end) return flatland_.light()[end.name.end];
+    return flatland_.blockers()[end.name.element][end.name.end];
+  }
+
+  /// The sine of the angle from the normal to the direction of an end.
+  Interval sine(const IntervalEnd& end) const {
+    Interval x, y;
+    if (end.name.kind == EventPointKind::crossing) {
+      const auto light = flatland_.light();
+      const Interval t = Interval(end.t) + Interval(-end.error, end.error);
+      x = Interval(light[0].x) + t * (Interval(light[1].x) - Interval(light[0].x));
+      y = Interval(light[0].y) + t * (Interval(light[1].y) - Interval(light[0].y));
+    } else {
+      x = target(end).x, y = target(end).y;
+    }
+    x -= receiver_.point.x;
+    y -= receiver_.point.y;
+    const Interval nx = receiver_.normal.x, ny = receiver_.normal.y;
+    return (nx * y - ny * x) / (sqrt(nx * nx + ny * ny) * sqrt(x * x + y * y));
+  }
+
+  const planar::Flatland& flatland_;
+  const PlanarReceiverPoint& receiver_;
+  int side_ = 0;
+};
+
+}  // namespace
+
+BoundedIrradiance planar_irradiance(const planar::Sight& sight, const PlanarReceiverPoint& receiver, double radiance) {
+  const Point2& normal = receiver.normal;
+  if (sight.flatland().has_point_light()) throw PreconditionError("flatland irradiance needs a linear light");
+  if (!std::isfinite(normal.x) || !std::isfinite(normal.y) || normal == Point2{0, 0} || !std::isfinite(radiance)) {
+    throw PreconditionError("flatland irradiance needs a normal and a finite radiance");
+  }
+  const auto light = sight.flatland().light();
+  if (planar::orientation(light[0], light[1], receiver.point) == 0) return {};
+  const planar::VisibleLight seen = sight.visible_light(receiver.point);
+  const Hemisphere hemisphere(sight.flatland(), receiver);
+  const std::vector<SeenPart> parts = hemisphere.parts_of(seen);
+  const Interval::Protector upward;
+  Interval sum = 0;
+  for (const SeenPart& part : parts) sum += hemisphere.integral(part);
+  sum *= Interval(radiance);
+  const double value = sum.inf() / 2 + sum.sup() / 2;
+  // Rounded upward, as the mode is protected; one step more for the rounding of `value` itself.
+  return {value, std::nextafter(std::max(sum.sup() - value, value - sum.inf()), HUGE_VAL)};
+}
+
+}  // namespace gnomon

@@ -1,0 +1,82 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "tests/apps/gnomon/program_fixture.h"
+
+namespace gnomon {
+namespace {
+
+using nlohmann::json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+class IrradianceCommand : public Program {
+ protected:
+  IrradianceCommand() {
+    write("table.scene.json", table_scene);
+    write("lamps.scene.json", R"({"gnomon": 1, "dimension": 3, "blockers": [], "lights": [
+      {"name": "bulb", "shape": "point", "position": [0, 3, 4], "intensity": 50},
+      {"name": "tube", "shape": "segment", "vertices": [[0, 0, 2], [0, 0, 4]], "intensity_per_length": 4}]})");
+  }
+
+  std::vector<std::string> lines(const std::string& text) const {
+    std::istringstream stream(text);
+    std::vector<std::string> result;
+    for (std::string line; std::getline(stream, line);) result.push_back(line);
+    return result;
+  }
+};
+
+TEST_F(IrradianceCommand, TellsValueAndBoundOfEveryLightPointByPoint) {
+  write("points.csv", "x,y,z,nx,ny,nz,label\n0,0,0,0,0,2,a\n0,0,0,0,0,-1,b\n");
+  const Outcome run = gnomon("irradiance lamps.scene.json --at points.csv --json result.json");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(lines(run.out),
+              ElementsAre("x,y,z,nx,ny,nz,label,light,irradiance,error_bound", StartsWith("0,0,0,0,0,2,a,bulb,1.6"),
+                          StartsWith("0,0,0,0,0,2,a,tube,1,"), "0,0,0,0,0,-1,b,bulb,0,0", "0,0,0,0,0,-1,b,tube,0,0"));
+  const json result = read_json("result.json");
+  EXPECT_EQ(result["schema"], "gnomon/irradiance/1");
+  const json& bulb = result["points"][0]["lights"][0];
+  EXPECT_LE(std::fabs(bulb["irradiance"].get<double>() - 1.6), bulb["error_bound"].get<double>());
+  EXPECT_EQ(result["point_count"], 2);
+}
+
+TEST_F(IrradianceCommand, NothingArrivesInTheUmbra) {
+  write("points.csv", "x,y,z,nx,ny,nz\n0,0,0,0,0,1\n");
+  EXPECT_THAT(lines(gnomon("irradiance table.scene.json --at points.csv").out),
+              ElementsAre(HasSubstr("irradiance"), "0,0,0,0,0,1,lamp,0,0"));
+}
+
+TEST_F(IrradianceCommand, ReportsMalformedLinesProcessesTheRestAndEndsWith3) {
+  write("bad.csv", "x,y,z,nx,ny,nz\n0,0,0,0,0,0\n0,0,0,0,0,1\n");
+  const Outcome run = gnomon("irradiance table.scene.json --at bad.csv");
+  EXPECT_EQ(run.code, 3);
+  EXPECT_THAT(lines(run.out), testing::SizeIs(2));
+  EXPECT_THAT(lines(run.err), ElementsAre("gnomon: bad.csv:2: nx,ny,nz: found 0,0,0, expected a direction"));
+}
+
+TEST_F(IrradianceCommand, RefusesPointsWithoutNormalsAndScenesOfThePlane) {
+  write("points.csv", "x,y,z\n0,0,0\n");
+  const Outcome run = gnomon("irradiance table.scene.json --at points.csv");
+  EXPECT_EQ(run.code, 3);
+  EXPECT_THAT(run.err, HasSubstr("expected the header \"x,y,z,nx,ny,nz\""));
+  write("plane.scene.json", R"({"gnomon": 1, "dimension": 2, "lights": [], "blockers": []})");
+  EXPECT_EQ(gnomon("irradiance plane.scene.json --at points.csv").code, 4);
+}
+
+TEST_F(IrradianceCommand, SaysTheSameWithAnyNumberOfThreads) {
+  std::string points = "x,y,z,nx,ny,nz\n";
+  for (int i = 0; i < 3000; ++i) points += std::to_string(i % 13 - 6) + ',' + std::to_string(i % 7) + ",0,0,0,1\n";
+  write("many.csv", points);
+  const std::string one = gnomon("irradiance table.scene.json --at many.csv --threads 1").out;
+  EXPECT_EQ(one, gnomon("irradiance table.scene.json --at many.csv --threads 3").out);
+  EXPECT_THAT(lines(one), testing::SizeIs(3001));
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,65 @@
+#include "tests/benchmarks/triangle_scenes.h"
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace gnomon::benchmarks {
+namespace {
+
+class Draws {
+ public:
+  explicit Draws(std::size_t seed) : engine_(static_cast<std::mt19937::result_type>(seed)) {}
+
+  double between(double low, double high) {
+    return low + (high - low) * (static_cast<double>(engine_()) / 4294967296.0);
+  }
+
+  Point3 direction() {
+    const double z = between(-1, 1);
+    const double angle = between(0, 2 * std::numbers::pi);
+    const double r = std::sqrt(1 - z * z);
+    return {r * std::cos(angle), r * std::sin(angle), z};
+  }
+
+ private:
+  std::mt19937 engine_;
+};
+
+Point3 cross(const Point3& a, const Point3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+ConvexPolygon triangle(Draws& draws, double radius) {
+  const double z = draws.between(1, 3);
+  const double x = draws.between(-1, 1);
+  const double y = draws.between(-1, 1);
+  const Point3 u = draws.direction();
+  Point3 v = cross(u, draws.direction());
+  const double length = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+  v = {v.x / length, v.y / length, v.z / length};
+  std::vector<Point3> points;
+  for (int k = 0; k < 3; ++k) {
+    const double angle = draws.between(0, 2 * std::numbers::pi);
+    const double c = radius * std::cos(angle);
+    const double s = radius * std::sin(angle);
+    points.push_back({x + c * u.x + s * v.x, y + c * u.y + s * v.y, z + c * u.z + s * v.z});
+  }
+  return ConvexPolygon::from_points(std::move(points));
+}
+
+}  // namespace
+
+TriangleScene triangle_scene(std::size_t n) {
+  Draws draws(n);
+  TriangleScene scene{{ConvexPolygon::from_points({{-.5, -.5, 4}, {-.5, .5, 4}, {.5, .5, 4}, {.5, -.5, 4}})}, {}, {}};
+  const double radius = 0.9 / std::sqrt(static_cast<double>(n)) + 0.02;
+  for (std::size_t i = 0; i < n; ++i) scene.blockers.push_back(triangle(draws, radius));
+  for (int i = 0; i < 512; ++i) {
+    const double x = draws.between(-1, 1);
+    scene.points.push_back({x, draws.between(-1, 1), 0});
+  }
+  return scene;
+}
+
+}  // namespace gnomon::benchmarks

@@ -1,0 +1,99 @@
+#include "geometry/spatial/volume_mesh.h"
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "tests/benchmarks/polygon_pairs.h"
+#include "tests/benchmarks/ratios.h"
+
+// Occlusion and umbra as closed meshes with correctly rounded vertices, cut by a box: of polygons of n vertices each,
+// of solids of n facets below a square lamp, and of all facets of a mesh, part by part.
+namespace gnomon::benchmarks {
+namespace {
+
+constexpr ShadowParts surfaces{.penumbra = false, .cells = false, .planes = false, .volumes = false};
+
+/// A box about the pair and some of its shadow, in which nothing is aligned.
+constexpr Box3 box{{-9.1, -8.7, -9.3}, {8.9, 9.2, 9.4}};
+
+void meshes(benchmark::State& state) {
+  const PolygonPair pair = generic_pair(static_cast<std::uint32_t>(state.range(0)));
+  const ConvexBlocker blocker = pair.blocker;
+  for (auto _ : state) benchmark::DoNotOptimize(shadow_meshes(pair.light, blocker, box, surfaces));
+}
+
+void meshes_of_aligned_squares(benchmark::State& state) {
+  const PolygonPair pair = aligned_squares();
+  const ConvexBlocker blocker = pair.blocker;
+  for (auto _ : state) benchmark::DoNotOptimize(shadow_meshes(pair.light, blocker, box, surfaces));
+}
+
+/// Points on a sphere along a spiral; their hull has twice as many facets, less four.
+std::vector<Point3> spiral(std::uint32_t count, double radius, const Point3& centre) {
+  std::vector<Point3> points;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const double z = 1 - (2.0 * i + 1) / count;
+    const double angle = 2.399963229728653 * i;
+    const double r = std::sqrt(1 - z * z);
+    points.push_back(
+        {centre.x + radius * r * std::cos(angle), centre.y + radius * r * std::sin(angle), centre.z + radius * z});
+  }
+  return points;
+}
+
+Light square_lamp() {
+  return AreaLight{ConvexPolygon::from_points({{-0.9, -1.1, 6}, {-1.2, 0.8, 6}, {1.1, 1.05, 6}, {0.95, -0.85, 6}})};
+}
+
+void solid(benchmark::State& state) {
+  const auto corners = static_cast<std::uint32_t>(state.range(0) / 2 + 2);
+  const Light light = square_lamp();
+  const ConvexBlocker blocker = ConvexSolid::hull_of(spiral(corners, 1.3, {0.1, -0.2, 1.7}));
+  for (auto _ : state) benchmark::DoNotOptimize(shadow_meshes(light, blocker, box, surfaces));
+}
+
+/// The facets of a sphere of triangles, each a blocker of its own.
+std::vector<ConvexBlocker> triangles(std::uint32_t facets) {
+  const ConvexSolid sphere = ConvexSolid::hull_of(spiral(facets / 2 + 2, 1.3, {0.1, -0.2, 1.7}));
+  std::vector<ConvexBlocker> parts;
+  for (const ConvexSolid::Facet& facet : sphere.facets()) {
+    std::vector<Point3> points;
+    for (const std::uint32_t i : facet.loop) points.push_back(sphere.points()[i]);
+    parts.emplace_back(ConvexPolygon::from_points(points));
+  }
+  return parts;
+}
+
+void parts_of_a_mesh(benchmark::State& state) {
+  const Light light = square_lamp();
+  const std::vector<ConvexBlocker> parts = triangles(static_cast<std::uint32_t>(state.range(0)));
+  for (auto _ : state) {
+    for (const ConvexBlocker& part : parts) benchmark::DoNotOptimize(shadow_meshes(light, part, box, surfaces));
+  }
+}
+
+BENCHMARK(meshes)->Name("volume_mesh/polygons")->Arg(3)->Arg(4)->Arg(16)->Arg(64)->Arg(256)->Arg(1024);
+BENCHMARK(meshes_of_aligned_squares)->Name("volume_mesh/aligned_squares");
+BENCHMARK(solid)->Name("volume_mesh/solid")->Arg(100)->Arg(1000);
+BENCHMARK(parts_of_a_mesh)->Name("volume_mesh/triangles_of_a_mesh")->Arg(5000)->Unit(benchmark::kMillisecond);
+
+[[maybe_unused]] const bool asked = [] {
+  const std::string polygons = "volume_mesh/polygons/";
+  const std::string plain = "extremal_planes/plain_doubles/4";
+  add_ratio({polygons + "4", plain, 0.136, 10, "us for both meshes 4/4, were plain doubles to take 136 ns"});
+  add_ratio({polygons + "64", plain, 0.136, 150, "us for both meshes 64/64, likewise"});
+  add_ratio(
+      {polygons + "1024", polygons + "64", 1, std::pow(16, 1.15), "1024/1024 in units of 64/64 (16^1.15 = 24.3)"});
+  add_ratio({"volume_mesh/solid/1000", plain, 0.000136, 5, "ms for both meshes of a solid of 1,000 facets, likewise"});
+  add_ratio({"volume_mesh/triangles_of_a_mesh/5000", plain, 0.000000136, 1,
+             "s for both meshes of each of 5,000 triangles, likewise"});
+  add_ratio({"extremal_planes/convex_hull_3/4", polygons + "4", 1, 0, "convex_hull_3 of the occlusion alone, 4/4"});
+  add_ratio({"extremal_planes/convex_hull_3/64", polygons + "64", 1, 0, "the same, 64/64"});
+  return true;
+}();
+
+}  // namespace
+}  // namespace gnomon::benchmarks

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "apps/laws/sight_cases.h"
+#include "geometry/visibility/visibility.h"
+
+namespace gnomon {
+
+/// What exact_visibility ought to say by the definition: region, and fraction to a hundred digits. Nothing if it says
+/// that, with the nearest double and a true bound of its error; else what differs.
+std::optional<std::string> disagreement(const laws::SightCase& drawn, const Visibility& got);
+
+}  // namespace gnomon

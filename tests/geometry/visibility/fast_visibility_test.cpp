@@ -1,0 +1,255 @@
+#include "geometry/visibility/fast_visibility.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <random>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "geometry/kernel.h"
+#include "tests/geometry/visibility/splitting_oracle.h"
+
+namespace gnomon {
+namespace {
+
+/// What a test draws, from a seed that RapidCheck draws and prints.
+class Dice {
+ public:
+  Dice() : engine_(*rc::gen::noShrink(rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint32_t>()))) {}
+
+  int draw(int least, int most) {
+    return least + static_cast<int>(engine_() % static_cast<unsigned>(most - least + 1));
+  }
+  bool once_in(int n) { return draw(0, n - 1) == 0; }
+
+  template <class Range>
+  const auto& one_of(const Range& range) {
+    return range[static_cast<std::size_t>(draw(0, static_cast<int>(range.size()) - 1))];
+  }
+
+ private:
+  std::mt19937 engine_;
+};
+
+/// Builds something that must be legal out of drawn points, or draws again.
+template <class Make>
+auto drawn_until(const Make& make) {
+  for (;;) {
+    if (auto made = make()) return *made;
+  }
+}
+
+Point3 draw_point(Dice& dice, int reach, int low, int high) {
+  const double x = dice.draw(-reach, reach);
+  const double y = dice.draw(-reach, reach);
+  return {x, y, static_cast<double>(dice.draw(low, high))};
+}
+
+std::optional<ConvexPolygon> polygon_of(std::vector<Point3> points) {
+  if (ConvexPolygon::defect(points)) return std::nullopt;
+  return ConvexPolygon::from_points(std::move(points));
+}
+
+std::optional<ConvexPolygon> draw_polygon(Dice& dice, int reach, int low, int high) {
+  const Point3 a = draw_point(dice, reach, low, high);
+  const Point3 b = draw_point(dice, reach, low, high);
+  const Point3 c = draw_point(dice, reach, low, high);
+  if (dice.once_in(2)) return polygon_of({a, b, c});
+  return polygon_of({a, b, c, {a.x + c.x - b.x, a.y + c.y - b.y, a.z + c.z - b.z}});
+}
+
+std::optional<ConvexBlocker> draw_solid(Dice& dice, int reach, int low, int high) {
+  std::vector<Point3> points;
+  const int count = dice.draw(4, 7);
+  for (int i = 0; i < count; ++i) points.push_back(draw_point(dice, reach, low, high));
+  try {
+    return ConvexSolid::hull_of(std::move(points));
+  } catch (const std::logic_error&) {
+    return std::nullopt;
+  }
+}
+
+/// A scene on small integers: ties, shared edges, repeated blockers and touching ones are common.
+struct Drawn {
+  AreaLight light;
+  std::vector<ConvexBlocker> blockers;
+};
+
+AreaLight draw_light(Dice& dice) {
+  const double h = 8;
+  if (dice.once_in(2)) {
+    return {ConvexPolygon::from_points({{-2, -2, h}, {-2, 2, h}, {2, 2, h}, {2, -2, h}}), dice.once_in(2)};
+  }
+  return {drawn_until([&] { return draw_polygon(dice, 4, 7, 9); }), dice.once_in(2)};
+}
+
+std::vector<ConvexBlocker> draw_blockers(Dice& dice, int count, int high) {
+  std::vector<ConvexBlocker> blockers;
+  std::vector<Point3> strip = {draw_point(dice, 3, 1, high), draw_point(dice, 3, 1, high)};
+  while (static_cast<int>(blockers.size()) < count) {
+    const int kind = dice.draw(0, 9);
+    if (kind == 0 && !blockers.empty()) {
+      blockers.push_back(ConvexBlocker(dice.one_of(blockers)));
+    } else if (kind <= 2) {
+      blockers.push_back(drawn_until([&] { return draw_solid(dice, 3, 1, high); }));
+    } else if (kind <= 6) {
+      strip.push_back(draw_point(dice, 3, 1, high));
+      const auto end = strip.end();
+      if (auto triangle = polygon_of({*(end - 3), *(end - 2), *(end - 1)})) blockers.push_back(*triangle);
+    } else {
+      blockers.push_back(drawn_until([&] { return draw_polygon(dice, 3, 1, high); }));
+    }
+  }
+  return blockers;
+}
+
+Point3 some_vertex(Dice& dice, const ConvexBlocker& blocker) {
+  const auto points = std::visit([](const auto& shape) { return shape.points(); }, blocker);
+  return dice.one_of(points);
+}
+
+/// Behind a blocker's vertex, seen from a vertex of the light: on several extremal planes at once.
+Point3 draw_aligned_point(Dice& dice, const Drawn& scene) {
+  const Point3 b = some_vertex(dice, dice.one_of(scene.blockers));
+  const Point3 l = dice.one_of(scene.light.polygon.points());
+  const double t = dice.draw(1, 4) / 2.0;
+  return {b.x + t * (b.x - l.x), b.y + t * (b.y - l.y), b.z + t * (b.z - l.z)};
+}
+
+/// The fast level decides and agrees, or it may leave the question open: true if it decided.
+bool agrees(const Drawn& scene, const Point3& p, FastVisibility& fast) {
+  const std::optional<LightSeen> seen = fast.seen_from(p);
+  if (!seen) return false;
+  const testing::SplitView exact = testing::split_view(scene.light, scene.blockers, p);
+  RC_ASSERT(name(seen->region) == name(exact.region));
+  RC_ASSERT(abs(Rational(Rational(seen->fraction) - exact.fraction)) <= Rational(seen->error_bound));
+  RC_ASSERT(seen->error_bound <= 1e-9);
+  return true;
+}
+
+/// How a point is drawn.
+enum class Where { anywhere, aligned };
+
+void check_agreement(int count, int high, Where where) {
+  int decided = 0;
+  int asked = 0;
+  const bool holds = rc::check("agreement", [&] {
+    Dice dice;
+    const Drawn scene{draw_light(dice), draw_blockers(dice, count, high)};
+    FastVisibility fast(scene.light, BlockerSet(scene.blockers));
+    for (int i = 0; i < (count < 16 ? 23 : 2); ++i) {
+      const Point3 p = where == Where::aligned ? draw_aligned_point(dice, scene) : draw_point(dice, 4, -2, 1);
+      decided += agrees(scene, p, fast) ? 1 : 0;
+      ++asked;
+    }
+  });
+  EXPECT_TRUE(holds);
+  // Where blocker and light cut each other's planes the question is left to the exact level.
+  EXPECT_GE(decided, asked * (high < 7 ? 7 : 3) / 10) << "of " << asked;
+}
+
+TEST(FastVisibilityAgreement, OneBlockerMatchesSplitting) {
+  check_agreement(1, 6, Where::anywhere);
+}
+TEST(FastVisibilityAgreement, FourBlockersMatchSplitting) {
+  check_agreement(4, 6, Where::anywhere);
+}
+TEST(FastVisibilityAgreement, SixteenBlockersMatchSplitting) {
+  check_agreement(16, 6, Where::anywhere);
+}
+TEST(FastVisibilityAgreement, OneBlockerMatchesSplittingWhereVerticesAlign) {
+  check_agreement(1, 6, Where::aligned);
+}
+TEST(FastVisibilityAgreement, FourBlockersMatchSplittingWhereVerticesAlign) {
+  check_agreement(4, 6, Where::aligned);
+}
+TEST(FastVisibilityAgreement, SixteenBlockersMatchSplittingWhereVerticesAlign) {
+  check_agreement(16, 6, Where::aligned);
+}
+TEST(FastVisibilityAgreement, BlockersThatReachTheLightsPlaneMatchSplittingOrAreLeftOpen) {
+  check_agreement(4, 9, Where::anywhere);
+}
+
+/// A closed surface of triangles around the light: the octahedron, each face cut into n * n triangles, every vertex
+/// drawn out to its own distance. Neighbours share their vertices exactly.
+std::vector<ConvexBlocker> draw_shell(Dice& dice, int n) {
+  std::map<std::array<int, 3>, Point3> vertices;
+  const auto vertex = [&](int x, int y, int z) {
+    const auto [found, is_new] = vertices.try_emplace({x, y, z});
+    const double r = (4 + dice.draw(0, 1000) / 1777.0) / std::sqrt(x * x + y * y + z * z);
+    if (is_new) found->second = {r * x, r * y, 8 + r * z};
+    return found->second;
+  };
+  std::vector<ConvexBlocker> shell;
+  const auto add = [&](Point3 a, Point3 b, Point3 c) { shell.push_back(ConvexPolygon::from_points({a, b, c})); };
+  for (int face = 0; face < 8; ++face) {
+    const auto at = [&](int i, int j) {
+      return vertex(face & 1 ? i : -i, face & 2 ? j : -j, face & 4 ? n - i - j : i + j - n);
+    };
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; i + j < n; ++j) {
+        add(at(i, j), at(i + 1, j), at(i, j + 1));
+        if (i + j + 1 < n) add(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+      }
+    }
+  }
+  return shell;
+}
+
+RC_GTEST_PROP(FastVisibilityProperty, NoLightLeaksThroughASharedEdge, ()) {
+  Dice dice;
+  const AreaLight light{ConvexPolygon::from_points({{-1, -1, 8}, {-1, 1, 8}, {1, 1, 8}, {1, -1, 8}}), true};
+  FastVisibility fast(light, BlockerSet(draw_shell(dice, 4)));
+  for (int i = 0; i < 20; ++i) {
+    const Point3 p = dice.once_in(2)
+                         ? draw_point(dice, 9, -9, 2)
+                         : Point3{dice.draw(-99, 99) / 7.0, dice.draw(-99, 99) / 7.0, dice.draw(-99, 9) / 7.0};
+    const std::optional<LightSeen> seen = fast.seen_from(p);
+    RC_ASSERT(seen.has_value());
+    RC_ASSERT(name(seen->region) == "umbra");
+    RC_ASSERT(seen->fraction == 0.0);
+    RC_ASSERT(seen->error_bound == 0.0);
+  }
+}
+
+/// F5, M1 to M3 and more: what is added hides, what is hidden stays hidden.
+RC_GTEST_PROP(FastVisibilityProperty, AddingABlockerNeverRaisesTheFraction, ()) {
+  Dice dice;
+  const Drawn scene{draw_light(dice), draw_blockers(dice, 12, 6)};
+  const Point3 p = draw_point(dice, 4, -2, 1);
+  double least = 1;
+  for (std::size_t count = 0; count <= scene.blockers.size(); ++count) {
+    const std::span<const ConvexBlocker> some(scene.blockers.data(), count);
+    FastVisibility fast(scene.light, BlockerSet(some));
+    const std::optional<LightSeen> seen = fast.seen_from(p);
+    if (!seen || seen->region == Region::unlit) continue;
+    RC_ASSERT(seen->fraction <= least + seen->error_bound);
+    least = std::fmin(least, seen->fraction + seen->error_bound);
+  }
+}
+
+RC_GTEST_PROP(FastVisibilityProperty, TheOrderOfBlockersDoesNotMatter, ()) {
+  Dice dice;
+  Drawn scene{draw_light(dice), draw_blockers(dice, 12, 6)};
+  const Point3 p = draw_point(dice, 4, -2, 1);
+  FastVisibility one(scene.light, BlockerSet(scene.blockers));
+  std::reverse(scene.blockers.begin(), scene.blockers.end());
+  FastVisibility other(scene.light, BlockerSet(scene.blockers));
+  const std::optional<LightSeen> a = one.seen_from(p);
+  const std::optional<LightSeen> b = other.seen_from(p);
+  RC_ASSERT(a.has_value() == b.has_value());
+  if (!a) return;
+  RC_ASSERT(name(a->region) == name(b->region));
+  RC_ASSERT(std::fabs(a->fraction - b->fraction) <= a->error_bound + b->error_bound);
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,26 @@
+#pragma once
+
+/// What a point sees of an area light, from the definition: the light is split along every plane, and the pieces that
+/// no blocker hides are added up. Rational, quadratic, and without anything in common with the walk it judges.
+
+#include <span>
+#include <vector>
+
+#include "apps/laws/exact.h"
+#include "geometry/kernel.h"
+#include "geometry/region.h"
+#include "geometry/spatial/convex_blocker.h"
+#include "geometry/spatial/light.h"
+
+namespace gnomon::testing {
+
+struct SplitView {
+  Region region;
+  Rational fraction;
+  std::vector<std::vector<laws::ExactVector>> visible;  ///< convex pieces of positive area, each in either order
+};
+
+/// Requires: a flat light; the point outside every solid.
+SplitView split_view(const AreaLight& light, std::span<const ConvexBlocker> blockers, const Point3& point);
+
+}  // namespace gnomon::testing

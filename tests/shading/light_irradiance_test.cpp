@@ -1,0 +1,141 @@
+#include "shading/light_irradiance.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "geometry/errors.h"
+#include "shading/reference_irradiance.h"
+#include "tests/geometry/visibility/splitting_oracle.h"
+
+namespace gnomon {
+namespace {
+
+class Dice {
+ public:
+  explicit Dice(unsigned seed) : engine_(seed) {}
+  int draw(int least, int most) {
+    return least + static_cast<int>(engine_() % static_cast<unsigned>(most - least + 1));
+  }
+  Point3 point(int reach, int low, int high) {
+    const double x = draw(-reach, reach);
+    const double y = draw(-reach, reach);
+    return {x, y, static_cast<double>(draw(low, high))};
+  }
+
+ private:
+  std::mt19937 engine_;
+};
+
+std::vector<ConvexBlocker> draw_triangles(Dice& dice, std::size_t count, int high) {
+  std::vector<ConvexBlocker> blockers;
+  while (blockers.size() < count) {
+    const std::vector<Point3> triangle = {dice.point(3, 1, high), dice.point(3, 1, high), dice.point(3, 1, high)};
+    if (!ConvexPolygon::defect(triangle)) blockers.push_back(ConvexPolygon::from_points(triangle));
+  }
+  return blockers;
+}
+
+/// The integral of cosine over squared distance from its definition: the trapezium rule after x = tanh(sinh t), which
+/// forgives a kink at an end.
+long double integral(const Point3& a, const Point3& b, const Point3& p, const Point3& n, long double s0,
+                     long double s1) {
+  const long double half = (s1 - s0) / 2;
+  const long double d[3] = {(long double)b.x - a.x, (long double)b.y - a.y, (long double)b.z - a.z};
+  const long double length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+  const long double norm = std::sqrt((long double)n.x * n.x + (long double)n.y * n.y + (long double)n.z * n.z);
+  long double sum = 0;
+  const long double step = 1.0L / 64;
+  for (int k = -256; k <= 256; ++k) {
+    const long double t = k * step;
+    const long double u = std::sinh(t) * 1.5707963267948966192L;
+    const long double weight = 1.5707963267948966192L * std::cosh(t) / (std::cosh(u) * std::cosh(u));
+    const long double s = s0 + half * (1 + std::tanh(u));
+    const long double v[3] = {a.x + s * d[0] - p.x, a.y + s * d[1] - p.y, a.z + s * d[2] - p.z};
+    const long double r = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    sum += weight * std::fmax(v[0] * n.x + v[1] * n.y + v[2] * n.z, 0.0L) / (norm * r * r * r);
+  }
+  return sum * step * half * length;
+}
+
+/// Where the horizon crosses the light, or 1.
+long double horizon_share(const Point3& a, const Point3& b, const Point3& p, const Point3& n) {
+  const long double from = (a.x - p.x) * n.x + (a.y - p.y) * n.y + (a.z - p.z) * n.z;
+  const long double to = (b.x - p.x) * n.x + (b.y - p.y) * n.y + (b.z - p.z) * n.z;
+  return from * to < 0 ? from / (from - to) : 1;
+}
+
+TEST(LightIrradianceAgreement, LinearLightsMatchTheIntegralOfTheDefinition) {
+  Dice dice(7);
+  for (int round = 0; round < 400; ++round) {
+    const Point3 a = dice.point(3, 4, 7);
+    const Point3 b = dice.point(3, 4, 7);
+    const Point3 p = dice.point(4, -2, 3);
+    const Point3 n = dice.point(2, -2, 2);
+    if (a == b || n == Point3{}) continue;
+    LightIrradiance light(LinearLight{a, b}, 2, PreparedObstacles({}));
+    const Irradiance e = light.at(p, n);
+    const long double cut = horizon_share(a, b, p, n);
+    const long double expected = 2 * (integral(a, b, p, n, 0, cut) + integral(a, b, p, n, cut, 1));
+    ASSERT_LE(std::fabs(e.value - expected), e.error_bound + 1e-15L * (1 + expected)) << round;
+    ASSERT_LE(e.error_bound, 1e-12) << round;
+  }
+}
+
+TEST(LightIrradiance, AnOpaqueHalfHidesHalfOfALinearLight) {
+  const ConvexBlocker wall = ConvexPolygon::from_points({{0, -9, 1}, {9, -9, 1}, {9, 9, 1}, {0, 9, 1}});
+  const PreparedObstacles obstacles({{wall}, {}});
+  LightIrradiance bare(LinearLight{{-1, 0, 2}, {1, 0, 2}}, 1, PreparedObstacles({}));
+  LightIrradiance hidden(LinearLight{{-1, 0, 2}, {1, 0, 2}}, 1, obstacles);
+  EXPECT_NEAR(hidden.at({0, 0, 0}, {0, 0, 1}).value, bare.at({0, 0, 0}, {0, 0, 1}).value / 2, 1e-15);
+}
+
+TEST(LightIrradiance, OfALinearLightSeenEndOnIsTheDifferenceOfInverseDistances) {
+  LightIrradiance light(LinearLight{{0, 0, 2}, {0, 0, 4}}, 1, PreparedObstacles({}));
+  EXPECT_NEAR(light.at({0, 0, 0}, {0, 0, 1}).value, 0.25, 1e-15);
+  EXPECT_EQ(light.at({0, 0, 3}, {0, 0, 1}).value, HUGE_VAL);
+}
+
+TEST(LightIrradiance, OfPointsAndDirectionsIsTheCosineLaw) {
+  LightIrradiance bulb(PointLight{{0, 3, 4}}, 50, PreparedObstacles({}));
+  const Irradiance e = bulb.at({0, 0, 0}, {0, 0, 2});
+  EXPECT_NEAR(e.value, 50 * 0.8 / 25, e.error_bound);
+  EXPECT_LT(e.error_bound, 1e-14);
+  LightIrradiance sun(DirectionalLight{{0, -3, -4}}, 10, PreparedObstacles({}));
+  EXPECT_NEAR(sun.at({0, 0, 0}, {0, 0, 1}).value, 8, 1e-14);
+  EXPECT_EQ(sun.at({0, 0, 0}, {0, 0, -1}).value, 0);
+}
+
+TEST(LightIrradiance, ANormalWithoutDirectionIsRefused) {
+  LightIrradiance bulb(PointLight{{0, 3, 4}}, 50, PreparedObstacles({}));
+  EXPECT_THROW(bulb.at({0, 0, 0}, {0, 0, 0}), PreconditionError);
+}
+
+/// Blockers that cross the light's plane, so that both levels answer.
+TEST(LightIrradianceAgreement, BothLevelsHoldTheTruthOf200Bits) {
+  Dice dice(3);
+  for (int round = 0; round < 500; ++round) {
+    const std::vector<ConvexBlocker> blockers = draw_triangles(dice, 4, 10);
+    const AreaLight light{ConvexPolygon::from_points({{-2, -2, 8}, {-2, 2, 8}, {2, 2, 8}, {2, -2, 8}}), round % 2 == 0};
+    const Point3 p = dice.point(4, -1, 10);
+    const Point3 n = dice.point(2, -3, 3);
+    if (n == Point3{}) continue;
+    std::vector<std::vector<ExactCorner>> views;
+    for (const auto& piece : testing::split_view(light, blockers, p).visible) {
+      auto& view = views.emplace_back();
+      for (const auto& v : piece) {
+        view.push_back({Rational(v.x - Rational(p.x)), Rational(v.y - Rational(p.y)), Rational(v.z - Rational(p.z))});
+      }
+    }
+    const IrradianceInterval truth = reference_irradiance(views, {Rational(n.x), Rational(n.y), Rational(n.z)}, 200);
+    const Irradiance e = LightIrradiance(light, 1, PreparedObstacles({blockers, {}})).at(p, n);
+    ASSERT_LE(e.value - e.error_bound, truth.high) << round;
+    ASSERT_GE(e.value + e.error_bound, truth.low) << round;
+    ASSERT_LE(e.error_bound, 1e-6) << round;
+  }
+}
+
+}  // namespace
+}  // namespace gnomon

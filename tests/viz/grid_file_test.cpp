@@ -1,0 +1,47 @@
+#include "viz/grid_file.h"
+
+#include <gtest/gtest.h>
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkXMLImageDataReader.h>
+
+#include <stdexcept>
+
+#include "tests/viz/temporary_folder.h"
+
+namespace gnomon {
+namespace {
+
+TEST(GridFile, ReadsBackPointForPointWithItsValues) {
+  const TemporaryFolder folder;
+  const PointGrid grid = PointGrid::in_box({3, 2, 1}, {{0, 0, 0}, {1, 0.3, 2}});
+  const GridValues values{"_lamp", {0, 1, 2, 3, 0, 1}, {1, .5, 0, 0, 1, .25}, {0, 1e-15, 0, 0, 0, 1e-14}};
+  const std::filesystem::path file = folder.path() / "grid.vti";
+  write_grid(grid, {&values, 1}, Scene{}, file);
+  vtkNew<vtkXMLImageDataReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  vtkImageData* data = reader->GetOutput();
+  ASSERT_EQ(data->GetNumberOfPoints(), 6);
+  for (int i = 0; i < 6; ++i) {
+    const double* p = data->GetPoint(i);
+    const auto k = static_cast<std::size_t>(i);
+    EXPECT_EQ((Point3{p[0], p[1], p[2]}), grid.point(k));
+    EXPECT_EQ(data->GetPointData()->GetArray("region_lamp")->GetTuple1(i), values.region[k]);
+    EXPECT_EQ(data->GetPointData()->GetArray("visible_fraction_lamp")->GetTuple1(i), values.visible_fraction[k]);
+    EXPECT_EQ(data->GetPointData()->GetArray("error_bound_lamp")->GetTuple1(i), values.error_bound[k]);
+  }
+  EXPECT_EQ(grid.point(5), (Point3{1, 0.3, 1}));
+}
+
+TEST(GridFile, NamesTheFileThatCannotBeWritten) {
+  const TemporaryFolder folder;
+  const PointGrid grid = PointGrid::in_box({1, 1, 1}, {{0, 0, 0}, {1, 1, 1}});
+  std::filesystem::create_directory(folder.path() / "taken.vti");
+  EXPECT_THROW(write_grid(grid, {}, Scene{}, folder.path() / "taken.vti"), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/spatial/shadow_volume.h"
+#include "viz/picture_scene.h"
+
+namespace gnomon::viz {
+
+struct Segment {
+  Point3 start;
+  Point3 end;
+};
+
+/// The two-point cells of a block, those of one facet kind or all.
+std::vector<Segment> segments_of(const PictureBlock& block, std::optional<FacetKind> kind = {});
+
+/// True for the lines that bound the regions behind all blockers together or, where these are not known, for the
+/// extremal lines of every pair.
+bool is_line_block(const PictureSource& source, const PictureBlock& block);
+
+/// A line with a name, and a piece of it.
+struct NamedLine {
+  Segment segment;
+  FacetKind kind;
+};
+
+/// Every separating or supporting line once, on its longest piece, by the elements that it goes through:
+/// "wall 0, tube 1".
+std::map<std::string, NamedLine> named_lines(const PictureSource& source);
+
+}  // namespace gnomon::viz
