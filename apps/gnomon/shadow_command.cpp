@@ -36,8 +36,9 @@ void add_options(CLI::App& app, ShadowOptions& options) {
   add_json_option(app, options);
   add_pair_options(app, options);
   add_text(app, "--format", options.format, "LIST", "One or more of vtm,vtpc,vtp,obj,stl,gltf (default: vtm)");
-  app.add_flag("--merge", options.merge,
-               "Also unite the occlusion volumes of each blocker's parts; time grows with the square of their number");
+  app.add_flag(
+      "--merge", options.merge,
+      "Also unite the occlusion volumes of each blocker's parts; 100 parts take seconds, time grows with the square");
   add_text(app, "--path", options.path, "FILE", "A light that moves along a path; not available in this version");
   app.footer(
       "Examples:\n"
