@@ -34,6 +34,7 @@ foreach(header IN ITEMS
     geometry/spatial/convex_solid.h
     geometry/spatial/extremal_planes.h
     geometry/spatial/light.h
+    geometry/spatial/merged_occlusion.h
     geometry/spatial/position.h
     geometry/spatial/shadow_volume.h
     geometry/spatial/volume_mesh.h

@@ -39,8 +39,9 @@ Json volume_json(const VolumeFacts& facts, const VolumeMesh& mesh) {
 }
 
 Json pair_json(const PairResult& pair) {
-  Json json = {{"light", pair.light},           {"blocker", pair.blocker},     {"light_id", pair.light_id},
-               {"blocker_id", pair.blocker_id}, {"supported", pair.supported}, {"position", gnomon::name(pair.position)}};
+  Json json = {{"light", pair.light},         {"blocker", pair.blocker},
+               {"light_id", pair.light_id},   {"blocker_id", pair.blocker_id},
+               {"supported", pair.supported}, {"position", gnomon::name(pair.position)}};
   if (!pair.supported) return json;
   json["occlusion"] = volume_json(pair.volumes.occlusion_facts, pair.meshes.occlusion);
   json["umbra"] = volume_json(pair.volumes.umbra_facts, pair.meshes.umbra);
@@ -66,6 +67,21 @@ Json pair_json(const PlanarPairResult& pair) {
           {"occlusion", region_json(pair.regions.occlusion, pair.in_box.occlusion)},
           {"umbra", region_json(pair.regions.umbra, pair.in_box.umbra)},
           {"penumbra", region_json(pair.regions.penumbra, pair.in_box.penumbra)}};
+}
+
+Json merged_json(const std::vector<MergedResult>& merged) {
+  Json json = {
+      {"note",
+       "Occlusion volumes are united over the parts of a blocker. Umbrae are not: parts that each hide only some "
+       "of the light may hide all of it together, so the umbra of the whole is more than the union of umbrae."},
+      {"blockers", Json::array()}};
+  for (const MergedResult& result : merged) {
+    json["blockers"].push_back({{"light", result.light},
+                                {"blocker", result.blocker},
+                                {"volume_in_box", result.occlusion.mesh.volume.nearest},
+                                {"volume_in_box_exact", result.occlusion.mesh.volume.exact}});
+  }
+  return json;
 }
 
 Json block_json(const WrittenBlock& written) {
@@ -110,6 +126,7 @@ std::string manifest_text(const ShadowResult& result, const ManifestEntries& ent
   json["pairs"] = Json::array();
   for (const PairResult& pair : result.pairs) json["pairs"].push_back(pair_json(pair));
   for (const PlanarPairResult& pair : result.planar_pairs) json["pairs"].push_back(pair_json(pair));
+  if (!result.merged.empty()) json["merged"] = merged_json(result.merged);
   json["blocks"] = Json::array();
   for (const WrittenBlock& block : entries.blocks) json["blocks"].push_back(block_json(block));
   json["files"] = entries.files;

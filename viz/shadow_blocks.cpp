@@ -86,7 +86,8 @@ vtkSmartPointer<vtkPointSet> plane_polygons(const std::vector<PlanePolygon>& pla
   return data;
 }
 
-Fields volume_fields(const ShadowResult& result, const PairResult& pair, const VolumeMesh& mesh) {
+template <class Pair>
+Fields volume_fields(const ShadowResult& result, const Pair& pair, const VolumeMesh& mesh) {
   Fields fields = pair_fields(result, pair.light, pair.blocker, mesh.truncated);
   fields.push_back({"volume_total", std::vector<double>{mesh.volume.nearest}});
   fields.push_back({"volume_exact", std::vector<std::string>{mesh.volume.exact}});
@@ -104,6 +105,21 @@ void append_volumes(std::vector<Block>& blocks, const ShadowResult& result, cons
   append("umbra", pair.meshes.umbra);
   append("penumbra", pair.meshes.penumbra);
   if (pair.is_solid) append("umbra_pockets", pair.meshes.umbra_pockets);
+}
+
+/// For every `facet_id` the field `facet_part` has the number of the part that the facet comes from.
+void append_merged(std::vector<Block>& blocks, const ShadowResult& result, const MergedResult& merged) {
+  CellName common;
+  common.light_id = static_cast<std::int32_t>(merged.light_id);
+  common.blocker_id = static_cast<std::int32_t>(merged.blocker_id);
+  const VolumeMesh& mesh = merged.occlusion.mesh;
+  Fields fields = volume_fields(result, merged, mesh);
+  const auto& parts = merged.occlusion.facet_part;
+  fields.push_back({"facet_part", std::vector<std::int32_t>(parts.begin(), parts.end())});
+  append_block(blocks, {{"volumes", merged.light, merged.blocker, "occlusion_merged"},
+                        "volume",
+                        std::move(fields),
+                        surface(mesh, common)});
 }
 
 void append_solids(std::vector<Block>& blocks, const ShadowResult& result, const PairResult& pair) {
@@ -137,7 +153,14 @@ std::vector<Block> shadow_blocks(const ShadowResult& result) {
 
   std::vector<Block> blocks;
   append_scene_blocks(blocks, result);
-  for (const auto append : {append_volumes, append_solids, append_planes}) {
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    append_volumes(blocks, result, *pairs[i]);
+    if (i + 1 < pairs.size() && pairs[i + 1]->light_id == pairs[i]->light_id) continue;
+    for (const MergedResult& merged : result.merged) {
+      if (merged.light_id == pairs[i]->light_id) append_merged(blocks, result, merged);
+    }
+  }
+  for (const auto append : {append_solids, append_planes}) {
     for (const PairResult* pair : pairs) append(blocks, result, *pair);
   }
   return blocks;

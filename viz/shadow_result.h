@@ -11,6 +11,7 @@
 #include "geometry/planar/regions_in_box.h"
 #include "geometry/point.h"
 #include "geometry/scene/scene.h"
+#include "geometry/spatial/merged_occlusion.h"
 #include "geometry/spatial/position.h"
 #include "geometry/spatial/shadow_volume.h"
 #include "geometry/spatial/volume_mesh.h"
@@ -51,6 +52,15 @@ struct PlanarLightResult {
   planar::PartitionInBox in_box;
 };
 
+/// The occlusion volumes of one light and all parts of one blocker as one.
+struct MergedResult {
+  std::uint32_t light_id = 0;    ///< index into Scene::lights
+  std::uint32_t blocker_id = 0;  ///< index into Scene::blockers
+  std::string light;
+  std::string blocker;  ///< the whole one
+  MergedOcclusion occlusion;
+};
+
 /// A scene and its shadows, ready to be written and drawn.
 struct ShadowResult {
   const Scene* scene = nullptr;  ///< never null when used; outlives the result
@@ -59,6 +69,7 @@ struct ShadowResult {
   std::vector<PlanarPairResult> planar_pairs = {};  ///< dimension 2, where `pairs` is empty
   /// Dimension 2: the lights that are behind more than one segment.
   std::vector<PlanarLightResult> planar_lights = {};
+  std::vector<MergedResult> merged = {};  ///< dimension 3: blockers of several parts, if asked for
 };
 
 }  // namespace gnomon

@@ -10,6 +10,7 @@
 #include "apps/gnomon/commands.h"
 #include "apps/gnomon/computed_shadows.h"
 #include "apps/gnomon/console.h"
+#include "apps/gnomon/merged_shadows.h"
 #include "apps/gnomon/scene_pairs.h"
 #include "apps/gnomon/shadow_json.h"
 #include "apps/gnomon/shadow_summary.h"
@@ -35,7 +36,9 @@ void add_options(CLI::App& app, ShadowOptions& options) {
   add_json_option(app, options);
   add_pair_options(app, options);
   add_text(app, "--format", options.format, "LIST", "One or more of vtm,vtpc,vtp,obj,stl,gltf (default: vtm)");
-  app.add_flag("--merge", options.merge, "The shadow of all blockers together; not available in this version");
+  app.add_flag(
+      "--merge", options.merge,
+      "Also unite the occlusion volumes of each blocker's parts; 100 parts take seconds, time grows with the square");
   add_text(app, "--path", options.path, "FILE", "A light that moves along a path; not available in this version");
   app.footer(
       "Examples:\n"
@@ -56,7 +59,6 @@ std::vector<OutputFormat> formats(const std::string& list) {
 }
 
 void check_usage(const ShadowOptions& options) {
-  if (options.merge) throw UnsupportedError("--merge is not available in this version");
   if (!options.path.empty()) throw UnsupportedError("--path is not available in this version");
   if (options.out.empty() && options.json.empty()) {
     throw UsageError("nothing to write: give a folder with --out, or a file with --json");
@@ -83,15 +85,19 @@ ExitCode refuse_all(const Scene& scene, const Box3& box, const std::vector<Scene
 }
 
 ExitCode write_all(const ShadowOptions& options, const std::vector<OutputFormat>& output_formats, const Scene& scene) {
+  if (options.merge && scene.dimension == 2) throw UnsupportedError("--merge unites volumes, which need dimension 3");
   const std::vector<ScenePair> pairs = scene_pairs(scene, {options.light, options.blocker});
   const Box3 box = clip_box(scene, options.box);
   if (!pairs.empty() && supported_count(pairs) == 0) return refuse_all(scene, box, pairs, options.json);
 
-  const ShadowResult result = computed_shadows(scene, pairs, box, {options.threads, !options.quiet});
+  const Effort effort{options.threads, !options.quiet};
+  ShadowResult result = computed_shadows(scene, pairs, box, effort);
+  if (options.merge) result.merged = merged_shadows(scene, pairs, box, effort);
   std::vector<fs::path> files;
   if (!options.out.empty()) files = write_shadow(result, options.out, {output_formats});
   if (!options.json.empty()) write_json(shadow_json(result, pairs), options.json);
   if (pairs.empty()) print_warning("the scene has no pair of a light and a blocker");
+  if (options.merge && result.merged.empty()) print_warning("--merge: no blocker has several parts, all supported");
   if (supported_count(pairs) < pairs.size()) print_warning(unsupported_text(pairs));
   if (!options.quiet && options.json != "-") {
     std::cout << shadow_summary(result, pairs) << written_text(options.out, files);

@@ -98,6 +98,21 @@ Json lights_json(const ShadowResult& result) {
   return list;
 }
 
+/// Every blocker of several parts whose occlusion volumes are one.
+Json merged_json(const ShadowResult& result) {
+  Json list = Json::array();
+  for (const MergedResult& merged : result.merged) {
+    const VolumeMesh& mesh = merged.occlusion.mesh;
+    list.push_back({{"light", merged.light},
+                    {"blocker", merged.blocker},
+                    {"facets", mesh.facets.size()},
+                    {"triangles", mesh.triangles.size()},
+                    {"volume_in_box", mesh.volume.nearest},
+                    {"exact", mesh.volume.exact}});
+  }
+  return list;
+}
+
 }  // namespace
 
 Json pair_json(const ScenePair& pair) {
@@ -125,6 +140,7 @@ Json shadow_json(const ShadowResult& result, const std::vector<ScenePair>& pairs
     document["pairs"].push_back(std::move(pair));
   }
   if (!result.planar_lights.empty()) document["lights"] = lights_json(result);
+  if (!result.merged.empty()) document["merged"] = merged_json(result);
   return document;
 }
 

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/apps/gnomon/program_fixture.h"
 
 namespace gnomon {
@@ -142,12 +144,49 @@ TEST_F(ShadowCommand, RefusesUnknownFormatsAndOptions) {
   }
 }
 
-TEST_F(ShadowCommand, SaysThatMergeAndPathAreNotAvailableYet) {
-  for (const std::string option : {"--merge", "--path way.json"}) {
-    const Outcome run = gnomon("shadow --out shadows " + option);
-    EXPECT_EQ(run.code, 4) << option;
-    EXPECT_THAT(run.err, HasSubstr("not available in this version"));
-  }
+TEST_F(ShadowCommand, SaysThatPathIsNotAvailableYet) {
+  const Outcome run = gnomon("shadow --out shadows --path way.json");
+  EXPECT_EQ(run.code, 4);
+  EXPECT_THAT(run.err, HasSubstr("not available in this version"));
+}
+
+/// An L of area 3 at height 1.
+const std::string angle_scene = R"({
+  "gnomon": 1, "dimension": 3,
+  "lights": [{"name": "sun", "shape": "direction", "direction": [0,0,-1]}],
+  "blockers": [{"name": "angle", "shape": "concave_polygon",
+                "vertices": [[0,0,1], [2,0,1], [2,1,1], [1,1,1], [1,2,1], [0,2,1]]}]
+})";
+
+TEST_F(ShadowCommand, MergeUnitesTheOcclusionsOfAConcaveBlockerAndSaysWhyUmbraeAreNot) {
+  write("angle.scene.json", angle_scene);
+  const Outcome run = gnomon("shadow angle.scene.json --merge --box -9,-9,0,9,9,9 --out shadows --json result.json");
+  EXPECT_EQ(run.code, 0) << run.err;
+  const nlohmann::json merged = read_json("result.json").at("merged");
+  ASSERT_EQ(merged.size(), 1u);
+  EXPECT_EQ(merged[0].at("blocker"), "angle");
+  EXPECT_EQ(merged[0].at("exact"), "3");
+  const nlohmann::json manifest = read_json("shadows/manifest.json");
+  EXPECT_THAT(manifest.at("merged").at("note").get<std::string>(), HasSubstr("Umbrae are not"));
+  const auto is_merged = [](const nlohmann::json& block) {
+    return block.at("path") == nlohmann::json{"volumes", "sun", "angle", "occlusion_merged"};
+  };
+  EXPECT_EQ(std::count_if(manifest.at("blocks").begin(), manifest.at("blocks").end(), is_merged), 1);
+}
+
+TEST_F(ShadowCommand, WithoutMergePartsAreWrittenOneByOne) {
+  write("angle.scene.json", angle_scene);
+  EXPECT_EQ(gnomon("shadow angle.scene.json --out shadows").code, 0);
+  const nlohmann::json manifest = read_json("shadows/manifest.json");
+  EXPECT_FALSE(manifest.contains("merged"));
+  EXPECT_GE(manifest.at("pairs").size(), 2u);
+}
+
+TEST_F(ShadowCommand, MergeSaysWhereThereIsNothingToMerge) {
+  const Outcome run = gnomon("shadow table.scene.json --merge --out shadows");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_THAT(run.err, HasSubstr("--merge"));
+  EXPECT_EQ(gnomon("shadow examples/figure_4_19.scene.json --merge --out plane").code, 4);
 }
 
 TEST_F(ShadowCommand, EndsWith3ForAMissingOrBrokenScene) {
