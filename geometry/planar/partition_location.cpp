@@ -216,12 +216,9 @@ VisibleLight PartitionLocation::visible_light(const Point2& point) const {
   const Viewpoint from(point);
   const SightQuery query(partition_.sight(), from);
   VisibleLight seen{found.region, found.visible};
-  const auto place = [&](IntervalEnd& end) {
-    if (end.name.kind == EventPointKind::light_end) return;
-    end.t = nearest_double(query.place(end.name));
-    end.error = rounding_error(end.t);
-  };
-  for (VisibleInterval& interval : seen.intervals) place(interval.from), place(interval.to);
+  for (VisibleInterval& interval : seen.intervals) {
+    interval = {query.named_end(interval.from.name), query.named_end(interval.to.name)};
+  }
   return seen;
 }
 

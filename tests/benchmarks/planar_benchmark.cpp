@@ -81,6 +81,17 @@ void region_by_location(benchmark::State& state) {
   }
 }
 
+void intervals_by_location(benchmark::State& state) {
+  const Sight sight(random_flatland(state.range(0)));
+  const PartitionLocation location(planar::partition(sight, {planar::Fineness::structure, {}}));
+  const std::vector<Point2> points = random_points();
+  std::size_t next = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(location.visible_light(points[next]));
+    next = (next + 1) % points.size();
+  }
+}
+
 void location_building(benchmark::State& state) {
   const Partition parts = planar::partition(Sight(random_flatland(state.range(0))));
   for (auto _ : state) benchmark::DoNotOptimize(PartitionLocation(parts));
@@ -132,9 +143,10 @@ void all_lines(benchmark::State& state) {
   state.counters["faces"] = double(faces);
 }
 
-BENCHMARK(visible_intervals)->Name("planar/visible_intervals")->Arg(10)->Arg(100)->Arg(1000);
+BENCHMARK(visible_intervals)->Name("planar/visible_intervals")->Arg(10)->Arg(20)->Arg(100)->Arg(1000);
 BENCHMARK(region_by_sight)->Name("planar/region_by_sight")->Arg(20)->Arg(100);
 BENCHMARK(region_by_location)->Name("planar/region_by_location")->Arg(20)->Arg(100);
+BENCHMARK(intervals_by_location)->Name("planar/intervals_by_location")->Arg(20)->Arg(100);
 BENCHMARK(location_building)->Name("planar/location_building")->Arg(20)->Arg(100)->Unit(benchmark::kMillisecond);
 BENCHMARK(partition_of_plane)
     ->Name("planar/partition")
