@@ -18,6 +18,7 @@ foreach(header IN ITEMS
     geometry/planar/pair.h
     geometry/planar/partition.h
     geometry/planar/partition_in_box.h
+    geometry/planar/partition_location.h
     geometry/planar/receiver_events.h
     geometry/planar/region_of.h
     geometry/planar/regions.h

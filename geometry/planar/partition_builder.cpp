@@ -45,7 +45,7 @@ class Groups {
 class Builder {
  public:
   Builder(const Sight& sight, const PartitionOptions& options)
-      : options_(options), data_{sight, options.box, {}, {}, {}, {}, {}} {
+      : options_(options), data_{sight, options.box, {}, {}, {}, {}, {}, {}} {
     build_arrangement(sight.flatland(), options, arrangement_, data_.names);
   }
 
@@ -210,6 +210,7 @@ class Builder {
     }
     data_.edges.push_back({first->source()->data(), last->target()->data(), left_face(first), left_face(first->twin()),
                            first->curve().data()});
+    data_.edge_points.push_back({exact(first->source()->point()), exact(last->target()->point())});
   }
 
   static Halfedge next_staying(Halfedge edge) {

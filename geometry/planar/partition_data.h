@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "geometry/planar/exact_polygon.h"
 #include "geometry/planar/partition.h"
 
@@ -13,6 +16,8 @@ struct Partition::Data {
   std::vector<ExactPoint> exact_vertices;
   std::vector<Point2> vertices;
   std::vector<PartitionEdge> edges;
+  /// Two points of each edge's closure in its order: its ends, and for one at infinity a point far out.
+  std::vector<std::array<ExactPoint, 2>> edge_points;
   std::vector<PartitionFace> faces;
 };
 

@@ -112,35 +112,41 @@ class ReceiverSearch {
     return to_a.x * to_b.x + to_a.y * to_b.y <= 0;
   }
 
-  /// Where an end that is visible near p comes to lie as the viewpoint comes to p; nothing if it comes to p itself.
-  std::optional<Rational> limit_place(const EventPoint& name, const ExactPoint& p) const {
+  /// Where the receiver's line meets the light's line; of the receiver along it, the foot of q.
+  Rational place_ahead(const ExactPoint& q) const {
+    const auto light = sight_.flatland().light();
+    const ExactPoint end = exact(light[0]), along = difference(exact(light[1]), end);
+    const Rational parallel = cross(way_, along);
+    if (parallel == 0) return place_along(light, q);
+    return place_along(light, point_at(cross(difference(end, start_), along) / parallel));
+  }
+
+  /// Where an end that is visible near p comes to lie as the viewpoint comes to p; an end in p itself stays ahead.
+  Rational limit_place(const EventPoint& name, const ExactPoint& p) const {
     const auto light = sight_.flatland().light();
     if (name.kind != EventPointKind::blocker_end) {
       const Viewpoint from(p);
       return SightQuery(sight_, from).place(name);
     }
     const ExactPoint q = exact(sight_.flatland().blockers()[name.element][name.end]);
-    if (p == q) return std::nullopt;
+    if (p == q) return place_ahead(q);
     const Rational height_p = height_over(light, p), height_q = height_over(light, q);
     if (height_p == height_q) return place_along(light, q);
     const ExactPoint origin = exact(light[0]);
     return cross(difference(q, origin), difference(p, origin)) / (height_p - height_q);
   }
 
-  std::optional<Rational> limit_fraction(const VisibleLight& seen, const ExactPoint& p) const {
+  Rational limit_fraction(const VisibleLight& seen, const ExactPoint& p) const {
     Rational sum = 0;
     for (const VisibleInterval& interval : seen.intervals) {
-      const auto from = limit_place(interval.from.name, p), to = limit_place(interval.to.name, p);
-      if (!from || !to) return std::nullopt;
-      sum += *to - *from;
+      sum += limit_place(interval.to.name, p) - limit_place(interval.from.name, p);
     }
     return sum;
   }
 
   bool limits_differ(const Rational& place, const VisibleLight& before, const VisibleLight& after) const {
     const ExactPoint p = point_at(place);
-    const auto left = limit_fraction(before, p), right = limit_fraction(after, p);
-    return !left || !right || *left != *right;
+    return limit_fraction(before, p) != limit_fraction(after, p);
   }
 
   const Sight& sight_;

@@ -138,6 +138,16 @@ IntervalEnd SightQuery::interval_end(const Bound& bound) const {
   return {bound.name, exact_t, rounding_error(exact_t)};
 }
 
+IntervalEnd SightQuery::named_end(const EventPoint& name) const {
+  if (name.kind == EventPointKind::light_end) return light_end(name.end);
+  if (name.kind == EventPointKind::blocker_end && side_ != 0) {
+    const End end = sight_.end_of(name.element, name.end, side_);
+    return interval_end(bound_of(end));
+  }
+  const double t = nearest_double(place(name));
+  return {name, t, rounding_error(t)};
+}
+
 VisibleLight SightQuery::off_the_line() const {
   const Bound zero{0, 0, nullptr, light_end(0).name}, one{1, 1, nullptr, light_end(1).name};
   Bound low = zero, high = one;

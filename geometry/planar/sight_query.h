@@ -24,6 +24,9 @@ class SightQuery {
   /// Requires: a linear light; a blocker's end lies between the viewpoint and the light's line, or on this line.
   Rational place(const EventPoint& name) const;
 
+  /// The same with an error bound, evaluated exactly only if doubles do not tell.
+  IntervalEnd named_end(const EventPoint& name) const;
+
  private:
   using End = Sight::End;
 

@@ -4,11 +4,13 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <map>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "geometry/planar/partition.h"
+#include "geometry/planar/partition_location.h"
 #include "geometry/planar/sight.h"
 #include "tests/benchmarks/ratios.h"
 
@@ -20,6 +22,7 @@ namespace {
 using planar::BlockerSegment;
 using planar::Flatland;
 using planar::Partition;
+using planar::PartitionLocation;
 using planar::Sight;
 
 /// Segments of a length that leaves some light between any number of them.
@@ -54,6 +57,55 @@ void visible_intervals(benchmark::State& state) {
   state.counters["intervals"] = double(seen) / double(state.iterations());
 }
 
+void region_by_sight(benchmark::State& state) {
+  const Sight sight(random_flatland(state.range(0)));
+  const std::vector<Point2> points = random_points();
+  std::size_t next = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(sight.region(points[next]));
+    next = (next + 1) % points.size();
+  }
+}
+
+void region_by_location(benchmark::State& state) {
+  const Sight sight(random_flatland(state.range(0)));
+  const PartitionLocation location(planar::partition(sight));
+  const std::vector<Point2> points = random_points();
+  for (const Point2& p : points) {
+    if (location.region(p) != sight.region(p)) return state.SkipWithError("the regions differ");
+  }
+  std::size_t next = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(location.region(points[next]));
+    next = (next + 1) % points.size();
+  }
+}
+
+void intervals_by_location(benchmark::State& state) {
+  const Sight sight(random_flatland(state.range(0)));
+  const PartitionLocation location(planar::partition(sight, {planar::Fineness::structure, {}}));
+  const std::vector<Point2> points = random_points();
+  std::size_t next = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(location.visible_light(points[next]));
+    next = (next + 1) % points.size();
+  }
+}
+
+void location_building(benchmark::State& state) {
+  const Partition parts = planar::partition(Sight(random_flatland(state.range(0))));
+  for (auto _ : state) benchmark::DoNotOptimize(PartitionLocation(parts));
+}
+
+/// Asks for the growth of the time per edge, as soon as the edges of both sizes are counted.
+void ask_growth(std::int64_t n, std::size_t edges) {
+  static std::map<std::int64_t, std::size_t> counted;
+  const bool is_new = counted.insert({n, edges}).second;
+  if (!is_new || (n != 20 && n != 100) || !counted.contains(20) || !counted.contains(100)) return;
+  add_ratio({"planar/partition/100", "planar/partition/20", double(counted[20]) / double(counted[100]), 0,
+             "partition, time per edge of the result, 100 segments against 20"});
+}
+
 void partition_of_plane(benchmark::State& state) {
   const Sight sight(random_flatland(state.range(0)));
   std::size_t faces = 0, edges = 0;
@@ -63,6 +115,7 @@ void partition_of_plane(benchmark::State& state) {
   }
   state.counters["faces"] = double(faces);
   state.counters["edges"] = double(edges);
+  ask_growth(state.range(0), edges);
   state.counters["per_edge"] =
       benchmark::Counter(double(edges), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
@@ -90,7 +143,11 @@ void all_lines(benchmark::State& state) {
   state.counters["faces"] = double(faces);
 }
 
-BENCHMARK(visible_intervals)->Name("planar/visible_intervals")->Arg(10)->Arg(100)->Arg(1000);
+BENCHMARK(visible_intervals)->Name("planar/visible_intervals")->Arg(10)->Arg(20)->Arg(100)->Arg(1000);
+BENCHMARK(region_by_sight)->Name("planar/region_by_sight")->Arg(20)->Arg(100);
+BENCHMARK(region_by_location)->Name("planar/region_by_location")->Arg(20)->Arg(100);
+BENCHMARK(intervals_by_location)->Name("planar/intervals_by_location")->Arg(20)->Arg(100);
+BENCHMARK(location_building)->Name("planar/location_building")->Arg(20)->Arg(100)->Unit(benchmark::kMillisecond);
 BENCHMARK(partition_of_plane)
     ->Name("planar/partition")
     ->Arg(5)
@@ -109,6 +166,10 @@ BENCHMARK(all_lines)->Name("planar/all_lines")->Arg(5)->Arg(10)->Unit(benchmark:
       {"planar/all_lines/10", "planar/partition/10", 1, 0, "arrangement of all lines in units of the partition, 10"});
   add_ratio({"planar/visible_intervals/1000", "planar/visible_intervals/100", 1, 0,
              "visible intervals at a point, 1,000 segments against 100"});
+  add_ratio({"planar/region_by_sight/20", "planar/region_by_location/20", 1, 0,
+             "region of a point by sight in units of location in the partition, 20"});
+  add_ratio({"planar/region_by_sight/100", "planar/region_by_location/100", 1, 0,
+             "region of a point by sight in units of location in the partition, 100"});
   return true;
 }();
 
