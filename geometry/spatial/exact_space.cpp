@@ -18,10 +18,18 @@ Quadruple<Number> negated(const Quadruple<Number>& v) {
   return {-v[0], -v[1], -v[2], -v[3]};
 }
 
+/// CGAL scales by a power of two that, rounded upward, is the smallest double where it should be nothing: what comes
+/// out this small may be far too large, so only its sign is kept.
+Interval enclosing(const ExactReal& number) {
+  constexpr double tiny = 0x1p-960;
+  const Interval interval(CGAL::to_interval(number));
+  if (interval.sup() >= tiny || interval.inf() <= -tiny) return interval;
+  const int sign = static_cast<int>(CGAL::sign(number));
+  return {sign < 0 ? -tiny : 0, sign > 0 ? tiny : 0};
+}
+
 Quadruple<Interval> enclosing(const Quadruple<ExactReal>& v) {
-  Quadruple<Interval> result;
-  for (std::size_t i = 0; i < 4; ++i) result[i] = Interval(CGAL::to_interval(v[i]));
-  return result;
+  return {enclosing(v[0]), enclosing(v[1]), enclosing(v[2]), enclosing(v[3])};
 }
 
 /// The sign of an interval, or nothing if it is not certain.
@@ -43,6 +51,10 @@ Number projected_turn(std::size_t axis, const Quadruple<Number>& a, const Quadru
   const std::size_t i = (axis + 1) % 3;
   const std::size_t j = (axis + 2) % 3;
   return CGAL::determinant<Number>(a[i], a[j], a[3], b[i], b[j], b[3], c[i], c[j], c[3]);
+}
+
+Quadruple<ExactReal> middle_of(const Quadruple<ExactReal>& u, const Quadruple<ExactReal>& v) {
+  return {u[0] * v[3] + v[0] * u[3], u[1] * v[3] + v[1] * u[3], u[2] * v[3] + v[2] * u[3], ExactReal(2) * u[3] * v[3]};
 }
 
 bool has_point(const PlaneDefinition& plane, const Point3& p) {
@@ -82,13 +94,14 @@ PlaneId ExactSpace::add_box_side(const Box3& box, int side) {
               .bound = bounds[static_cast<std::size_t>(side)]});
 }
 
-PlaneId ExactSpace::add_apex_plane(const Point3& apex, std::uint32_t axis, double sign, double bound) {
+PlaneId ExactSpace::add_apex_plane(const Point3& apex, std::uint32_t axis, double sign, double bound, int scale) {
   PlaneDefinition definition = planes_[downward].definition;
   definition.kind = Kind::apex;
   definition.apex = apex;
   definition.axis = axis;
   definition.sign = sign;
   definition.bound = bound;
+  definition.scale = scale;
   return add(std::move(definition));
 }
 
@@ -122,6 +135,16 @@ VertexId ExactSpace::add_direction(const Point3& from, const Point3& to) {
 
 VertexId ExactSpace::add_vector(const Point3& vector) {
   return add_input({InputVertex::Kind::vector, vector, {}});
+}
+
+VertexId ExactSpace::add_middle(VertexId u, VertexId v) {
+  VertexDefinition definition;
+  definition.middle = true;
+  definition.planes = {u, v, 0};
+  vertices_.push_back({definition, {}});
+  const auto id = static_cast<VertexId>(vertices_.size() - 1);
+  vertices_[id].approximate = enclosing(exact_vertex(id));
+  return id;
 }
 
 VertexId ExactSpace::add_copy(VertexId vertex) {
@@ -185,6 +208,7 @@ const Quadruple<ExactReal>& ExactSpace::exact_plane(PlaneId plane) const {
 Quadruple<ExactReal> ExactSpace::constructed(VertexId vertex) const {
   const VertexDefinition& v = vertices_[vertex].definition;
   if (v.input != none) return input_coordinates<ExactReal>(inputs_[v.input]);
+  if (v.middle) return middle_of(exact_vertex(v.planes[0]), exact_vertex(v.planes[1]));
   const auto numbers = [&](PlaneId p) { return PlaneWithNumbers<ExactReal>{&planes_[p].definition, &exact_plane(p)}; };
   const auto& [a, b, c] = v.planes;
   const Quadruple<ExactReal> m = v.line != none ? line_meet<ExactReal>(inputs_[v.line], numbers(c))
@@ -203,6 +227,7 @@ const Quadruple<ExactReal>& ExactSpace::exact_vertex(VertexId vertex) const {
 bool ExactSpace::goes_through(PlaneId plane, VertexId vertex) const {
   const VertexDefinition& v = vertices_[vertex].definition;
   const PlaneDefinition& p = planes_[plane].definition;
+  if (v.middle) return false;
   if (v.input == none && std::find(v.planes.begin(), v.planes.end(), plane) != v.planes.end()) return true;
   if (p.kind != Kind::points && p.kind != Kind::points_direction) return false;
   if (v.line != none) return has_point(p, inputs_[v.line].first) && has_point(p, inputs_[v.line].second);
@@ -212,9 +237,12 @@ bool ExactSpace::goes_through(PlaneId plane, VertexId vertex) const {
   return input.kind == InputVertex::Kind::vector && p.kind == Kind::points_direction && p.points[2] == input.first;
 }
 
-Interval ExactSpace::height(PlaneId plane, const Point3& point) const {
+Interval ExactSpace::height(PlaneId plane, const Point3& point, int scale) const {
   const InputVertex input{InputVertex::Kind::point, point, {}};
-  return Interval(CGAL::to_interval(value(exact_plane(plane), input_coordinates<ExactReal>(input))));
+  ExactReal height = value(exact_plane(plane), input_coordinates<ExactReal>(input));
+  for (int i = 0; i < scale; ++i) height = height * ExactReal(0x1p1000);
+  for (int i = 0; i > scale; --i) height = height * ExactReal(0x1p-1000);
+  return enclosing(height);
 }
 
 int ExactSpace::side(PlaneId plane, VertexId vertex) const {

@@ -39,6 +39,7 @@ struct PlaneDefinition {
   std::uint32_t axis = 0;
   double sign = 1;  ///< -1 for a plane whose sides are exchanged, if `kind` is not axis
   double bound = 0;
+  int scale = 0;  ///< of an apex plane: its bound is times 2^(1000 scale)
 };
 
 /// An input point, or a direction between input points.
@@ -55,7 +56,8 @@ struct VertexDefinition {
   std::uint32_t input = none;       ///< index of an input vertex, or none: the meet of `planes`
   std::uint32_t line = none;        ///< index of an input direction on whose line (through its end) the vertex lies
   std::array<PlaneId, 3> planes{};  ///< of a meet; the last one is that which cut the edge of the others
-  bool direction = false;           ///< at infinity
+  bool middle = false;     ///< the middle between the vertices planes[0] and planes[1], which are no planes then
+  bool direction = false;  ///< at infinity
 };
 
 /// The planes and vertices of the polyhedra of one pair, by name: a vertex is an input point, the direction from one
@@ -76,9 +78,9 @@ class ExactSpace {
   PlaneId add_plane(const HalfSpace& half_space);
   /// The plane of one side of a box; sides are numbered as in FacetName.
   PlaneId add_box_side(const Box3& box, int side);
-  /// The plane sign * ((x - apex)_axis - bound * (h(apex) - h(x))) <= 0, h being the value of the plane `downward`.
-  /// Requires: `downward` is given by points.
-  PlaneId add_apex_plane(const Point3& apex, std::uint32_t axis, double sign, double bound);
+  /// The plane sign * ((x - apex)_axis - bound * 2^(1000 scale) * (h(apex) - h(x))) <= 0, h being the value of the
+  /// plane `downward`. Requires: `downward` is given by points.
+  PlaneId add_apex_plane(const Point3& apex, std::uint32_t axis, double sign, double bound, int scale);
   /// The same plane with its sides exchanged.
   PlaneId add_reversed(PlaneId plane);
 
@@ -89,6 +91,8 @@ class ExactSpace {
   VertexId add_cut(VertexId u, VertexId v, PlaneId a, PlaneId b, PlaneId plane);
   /// The point or direction on three planes.
   VertexId add_meet(const std::array<PlaneId, 3>& planes, bool direction);
+  /// The point in the middle between two points.
+  VertexId add_middle(VertexId u, VertexId v);
   /// Another vertex at the same place.
   VertexId add_copy(VertexId vertex);
 
@@ -103,8 +107,8 @@ class ExactSpace {
   const Quadruple<ExactReal>& exact_plane(PlaneId plane) const;
   const Quadruple<ExactReal>& exact_vertex(VertexId vertex) const;
 
-  /// The value of a plane at a point, negative inside, between neighbouring doubles.
-  Interval height(PlaneId plane, const Point3& point) const;
+  /// The value of a plane at a point, negative inside, times 2^(1000 scale), between neighbouring doubles.
+  Interval height(PlaneId plane, const Point3& point, int scale) const;
 
   /// Sign of the plane at the vertex: -1 inside, 0 on the plane, +1 outside.
   int side(PlaneId plane, VertexId vertex) const;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "geometry/errors.h"
-
 namespace gnomon {
 
 HalfEdgePolyhedron::HalfEdgePolyhedron(ExactSpace& space, const ConvexPolyhedron& polyhedron) : space_(space) {
@@ -212,7 +210,6 @@ ConvexPolyhedron HalfEdgePolyhedron::polyhedron() const {
     Index e = face.edge;
     do {
       kept.loop.push_back(vertices_[edges_[e].origin].id);
-      if (kept.loop.size() > edges_.size()) throw PreconditionError("loop");
       e = edges_[e].next;
     } while (e != face.edge);
   }

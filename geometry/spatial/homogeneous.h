@@ -23,11 +23,13 @@ Quadruple<Number> point_coefficients(const std::array<Point3, 3>& points, bool a
   return {normal[0], normal[1], normal[2], -(normal[0] * x + normal[1] * y + normal[2] * z)};
 }
 
-/// The coefficients of the plane (x - apex)_axis = bound * (h(apex) - h(x)).
+/// The coefficients of the plane (x - apex)_axis = bound * 2^(1000 scale) * (h(apex) - h(x)).
 template <class Number>
 Quadruple<Number> apex_coefficients(const PlaneDefinition& plane) {
   const Quadruple<Number> h = point_coefficients<Number>(plane.points, false);
-  const Number bound(plane.bound);
+  Number bound(plane.bound);
+  for (int i = 0; i < plane.scale; ++i) bound = bound * Number(0x1p1000);
+  for (int i = 0; i > plane.scale; --i) bound = bound * Number(0x1p-1000);
   const std::array<Number, 3> apex = {Number(plane.apex.x), Number(plane.apex.y), Number(plane.apex.z)};
   Quadruple<Number> result{bound * h[0], bound * h[1], bound * h[2], Number(0)};
   result[plane.axis] = result[plane.axis] + Number(1);

@@ -42,6 +42,10 @@ Quadruple<DoubleDouble> VertexRounding::coordinates(const VertexDefinition& vert
 Point3 VertexRounding::operator()(VertexId vertex) {
   const VertexDefinition& definition = space_.vertex_definition(vertex);
   if (definition.input != none) return space_.input(definition.input).first;
+  if (definition.middle) {
+    const std::array<Rational, 3> middle = exact_coordinates(space_, vertex);
+    return {nearest_double(middle[0]), nearest_double(middle[1]), nearest_double(middle[2])};
+  }
   const Quadruple<DoubleDouble> v = coordinates(definition);
   std::array<double, 3> rounded;
   std::optional<std::array<Rational, 3>> exact;

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <set>
 
+#include "geometry/errors.h"
 #include "geometry/spatial/shadow_polyhedra.h"
 
 namespace gnomon {
@@ -35,19 +36,13 @@ class Groups {
   std::vector<std::size_t> parent_;
 };
 
-/// The axes across the largest component of a facet's normal.
+/// The axes across the largest component of the downward plane's normal. All is exact: a facet may be a needle.
 std::array<std::uint32_t, 2> lateral_axes(const ExactSpace& space) {
-  const auto& [a, b, c] = space.definition(ExactSpace::downward).points;
-  const std::array u = {b.x - a.x, b.y - a.y, b.z - a.z};
-  const std::array v = {c.x - a.x, c.y - a.y, c.z - a.z};
+  const Quadruple<ExactReal>& plane = space.exact_plane(ExactSpace::downward);
+  const auto square = [&](std::uint32_t i) -> ExactReal { return plane[i] * plane[i]; };
   std::uint32_t largest = 0;
-  double size = -1;
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    const double component = std::abs(u[(i + 1) % 3] * v[(i + 2) % 3] - u[(i + 2) % 3] * v[(i + 1) % 3]);
-    if (component > size) {
-      size = component;
-      largest = i;
-    }
+  for (const std::uint32_t i : {1U, 2U}) {
+    if (square(i) > square(largest)) largest = i;
   }
   return {(largest + 1) % 3, (largest + 2) % 3};
 }
@@ -58,13 +53,14 @@ double coordinate(const Point3& p, std::uint32_t axis) {
 
 /// Bounds, wide of the mark, of (b - apex)_axis / (h(apex) - h(b)) over the blocker's corners b, h being the height
 /// above the downward plane: the slopes of a pyramid about the shadow of the apex.
-std::array<double, 2> slopes(const ExactSpace& space, const Hull& blocker, const Point3& apex, std::uint32_t axis) {
+std::array<double, 2> slopes(const ExactSpace& space, const Hull& blocker, const Point3& apex, std::uint32_t axis,
+                             int scale) {
   double low = HUGE_VAL;
   double high = -HUGE_VAL;
-  const Interval top = space.height(ExactSpace::downward, apex);
+  const Interval top = space.height(ExactSpace::downward, apex, scale);
   for (const Point3& corner : blocker.corners) {
     const Interval across = Interval(coordinate(corner, axis)) - Interval(coordinate(apex, axis));
-    const Interval slope = across / (top - space.height(ExactSpace::downward, corner));
+    const Interval slope = across / (top - space.height(ExactSpace::downward, corner, scale));
     low = std::min(low, slope.inf());
     high = std::max(high, slope.sup());
   }
@@ -72,14 +68,25 @@ std::array<double, 2> slopes(const ExactSpace& space, const Hull& blocker, const
   return {low - margin, high + margin};
 }
 
+/// A scale at which the height of the apex is neither very small nor very large.
+int scale_of(const ExactSpace& space, const Point3& apex) {
+  int scale = 0;
+  while (scale < 4 && space.height(ExactSpace::downward, apex, scale).sup() < 0x1p-500) ++scale;
+  while (scale > -4 && space.height(ExactSpace::downward, apex, scale).sup() > 0x1p500) --scale;
+  return scale;
+}
+
 /// A polyhedron about the shadow of the apex, without bound in the direction of the shadow: it lies below the downward
 /// plane, inside four planes through the apex.
 ConvexPolyhedron pyramid(ExactSpace& space, const Hull& blocker, const Point3& apex) {
   const std::array<std::uint32_t, 2> axes = lateral_axes(space);
+  const int scale = scale_of(space, apex);
   std::array<std::array<PlaneId, 2>, 2> sides;
   for (std::size_t i = 0; i < 2; ++i) {
-    const auto [low, high] = slopes(space, blocker, apex, axes[i]);
-    sides[i] = {space.add_apex_plane(apex, axes[i], -1, low), space.add_apex_plane(apex, axes[i], 1, high)};
+    const auto [low, high] = slopes(space, blocker, apex, axes[i], scale);
+    if (!std::isfinite(low) || !std::isfinite(high)) throw PreconditionError("coordinates differ too much in size");
+    sides[i] = {space.add_apex_plane(apex, axes[i], -1, low, scale),
+                space.add_apex_plane(apex, axes[i], 1, high, scale)};
   }
   std::array<VertexId, 8> v;  // bit 0: side of the first axis, bit 1: of the second, bit 2: at infinity
   for (std::size_t c = 0; c < 8; ++c) {
