@@ -216,6 +216,7 @@ SightCase draw_case(Domain domain, const SightMix& mix) {
   if (bent) bend(draft);
   mend(draft);
   if (draft.light.points.size() > 2 && !once_in(8)) face(draft.light.points, draft.point);
+  mend(draft);  // turned round, a polygon at the limit of what counts as rounded may be beyond it
   SightCase result{light_of(draft.light, draft.light_kind, once_in(3)), {}, draft.point};
   for (std::size_t i = 0; i < draft.blockers.size(); ++i) {
     result.blockers.push_back(blocker_of(draft.blockers[i], draft.blocker_kinds[i]));
