@@ -27,7 +27,7 @@ using Corner = Triangulation::Vertex_handle;
 
 class FaceTriangulation {
  public:
-  explicit FaceTriangulation(const Partition::Data& data) : data_(data) {
+  explicit FaceTriangulation(const Partition::Data& data) {
     for (std::uint32_t i = 0; i < data.exact_vertices.size(); ++i) {
       const ExactPoint& p = data.exact_vertices[i];
       const Corner corner = triangulation_.insert(Kernel::Point_2(Kernel::FT(p.x), Kernel::FT(p.y)));
@@ -83,7 +83,6 @@ class FaceTriangulation {
     }
   }
 
-  const Partition::Data& data_;
   Triangulation triangulation_;
   std::vector<Corner> corners_;
 };

@@ -110,8 +110,7 @@ class PartitionLocation::Slabs {
       if (is_upright(points)) all.push_back(points[0].x);
     }
     std::ranges::sort(all);
-    const auto repeated = std::ranges::unique(all);
-    all.erase(repeated.begin(), repeated.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
     for (const Rational& x : all) places_.push_back({x, nearest_double(x)});
     columns_.resize(places_.size());
     for (const ExactPoint& p : data_.exact_vertices) columns_[column(p.x)].vertices.push_back(p.y);

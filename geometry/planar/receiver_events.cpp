@@ -101,8 +101,8 @@ class ReceiverSearch {
       add(ray.near_point, exact(ray.far_point), {BoundaryKind::event, 0, ray.near, ray.far, ray.contact}, list);
     }
     std::ranges::stable_sort(list, [](const Candidate& a, const Candidate& b) { return a.place < b.place; });
-    const auto repeated = std::ranges::unique(list, {}, &Candidate::place);
-    list.erase(repeated.begin(), repeated.end());
+    const auto same_place = [](const Candidate& a, const Candidate& b) { return a.place == b.place; };
+    list.erase(std::unique(list.begin(), list.end(), same_place), list.end());
     return list;
   }
 

@@ -109,10 +109,11 @@ HalfSpace reversed(HalfSpace half_space) {
 
 /// Number of blocker corners on a plane.
 std::size_t touched(const HullPair& pair, const HalfSpace& half_space) {
-  const auto& [a, b, c] = half_space.plane;
-  return static_cast<std::size_t>(
-      std::count_if(pair.blocker.corners.begin(), pair.blocker.corners.end(),
-                    [&](const Point3& corner) { return pair.orientation(a, b, c, corner) == 0; }));
+  const auto& plane = half_space.plane;
+  const auto lies_on_it = [&](const Point3& corner) {
+    return pair.orientation(plane[0], plane[1], plane[2], corner) == 0;
+  };
+  return static_cast<std::size_t>(std::count_if(pair.blocker.corners.begin(), pair.blocker.corners.end(), lies_on_it));
 }
 
 /// The planes that hold a linear light and touch the blocker: at most two.

@@ -109,9 +109,9 @@ std::vector<HalfSpace> umbra_half_spaces(const HullPair& pair, const LightContac
 
 bool holds_light(const HullPair& pair, const HalfSpace& half_space) {
   if (pair.light.corners.size() == 1) return true;
-  const auto& [a, b, c] = half_space.plane;
+  const auto& plane = half_space.plane;
   return std::all_of(pair.light.corners.begin(), pair.light.corners.end(),
-                     [&](const Point3& corner) { return pair.orientation(a, b, c, corner) == 0; });
+                     [&](const Point3& corner) { return pair.orientation(plane[0], plane[1], plane[2], corner) == 0; });
 }
 
 /// What tells planes apart that hold the whole light: the facet of the blocker or light, or the blocker edge.
