@@ -22,7 +22,7 @@ std::vector<PartPairs> pairs_to_merge(const std::vector<ScenePair>& pairs) {
     const auto last = std::find_if(first, pairs.end(), [&](const ScenePair& pair) {
       return pair.light_index != first->light_index || pair.blocker_index != first->blocker_index;
     });
-    if (can_be_merged({first, last})) result.push_back({first, last});
+    if (can_be_merged({first, last})) result.emplace_back(first, last);
     first = last;
   }
   return result;
