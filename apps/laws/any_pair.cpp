@@ -64,7 +64,7 @@ ConvexPolygon draw_flat(const Bend& bend) {
   const Points bent = with_nudges(bend(points), bend.nudges);
   for (const Points& candidate : {bent, bend(points), points}) {
     if (!is_polygon(candidate)) continue;
-    const ConvexPolygon polygon = ConvexPolygon::from_points(candidate);
+    ConvexPolygon polygon = ConvexPolygon::from_points(candidate);
     if (polygon.is_flat()) return polygon;
   }
   return ConvexPolygon::from_points({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
