@@ -52,7 +52,6 @@ class Hemisphere {
   int height(const IntervalEnd& end) const {
     const Point2 horizon{receiver_.normal.y, -receiver_.normal.x};
     if (end.name.kind != EventPointKind::crossing) return planar::turn({0, 0}, horizon, receiver_.point, target(end));
-    const auto light = flatland_.light();
     const auto& [a, b] = flatland_.blockers()[end.name.element];
     const Rational at_a = height_over_light(a), at_b = height_over_light(b);
     const Rational share = at_a / (at_a - at_b);

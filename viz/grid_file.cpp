@@ -62,7 +62,8 @@ PointGrid PointGrid::in_box(const std::array<std::uint32_t, 3>& shape, const Box
 Point3 PointGrid::point(std::size_t index) const {
   const auto i = static_cast<double>(index % shape[0]);
   const auto j = static_cast<double>(index / shape[0] % shape[1]);
-  const auto k = static_cast<double>(index / shape[0] / shape[1]);
+  const std::size_t layer = index / shape[0] / shape[1];
+  const auto k = static_cast<double>(layer);
   return {origin.x + i * spacing.x, origin.y + j * spacing.y, origin.z + k * spacing.z};
 }
 

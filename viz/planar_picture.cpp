@@ -54,7 +54,8 @@ std::vector<Segment> dashes(const Segment& segment, double dash) {
   const double gaps = dash > 0 ? std::min(std::floor(length(way) / (1.8 * dash)), 10000.0) : 0;
   const double period = 1 / (gaps + 1 / 1.8);
   std::vector<Segment> list;
-  for (double i = 0; i <= gaps; ++i) {
+  for (int k = 0; k <= static_cast<int>(gaps); ++k) {
+    const double i = k;
     const double end = gaps > 0 ? i * period + period / 1.8 : 1;
     list.push_back({segment.start + i * period * way, segment.start + end * way});
   }

@@ -1,10 +1,10 @@
 #include "viz/staged_folder.h"
 
-#include <signal.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <charconv>
+#include <csignal>
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
@@ -48,7 +48,7 @@ void remove_leftovers(const fs::path& directory) {
 
 fs::path fresh_folder(const fs::path& directory) {
   for (int number = 0;; ++number) {
-    const fs::path folder =
+    fs::path folder =
         directory / (std::string(prefix) + std::to_string(::getpid()) + "-" + std::to_string(number));
     std::error_code error;
     if (fs::create_directory(folder, error)) return folder;
