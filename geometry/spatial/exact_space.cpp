@@ -3,7 +3,6 @@
 #include <CGAL/determinant.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "geometry/spatial/homogeneous.h"
 
@@ -72,11 +71,11 @@ ExactSpace::ExactSpace(const HalfSpace& downward_half_space) {
   add_plane(downward_half_space);
 }
 
-PlaneId ExactSpace::add(PlaneDefinition definition) {
+PlaneId ExactSpace::add(const PlaneDefinition& definition) {
   Plane plane;
   plane.approximate = coefficients<Interval>(definition);
-  plane.definition = std::move(definition);
-  planes_.push_back(std::move(plane));
+  plane.definition = definition;
+  planes_.push_back(plane);
   return static_cast<PlaneId>(planes_.size() - 1);
 }
 
@@ -102,14 +101,14 @@ PlaneId ExactSpace::add_apex_plane(const Point3& apex, std::uint32_t axis, doubl
   definition.sign = sign;
   definition.bound = bound;
   definition.scale = scale;
-  return add(std::move(definition));
+  return add(definition);
 }
 
 PlaneId ExactSpace::add_reversed(PlaneId plane) {
   if (planes_[plane].reverse_of) return *planes_[plane].reverse_of;
   PlaneDefinition reversed = planes_[plane].definition;
   reversed.sign = -reversed.sign;
-  const PlaneId id = add(std::move(reversed));
+  const PlaneId id = add(reversed);
   planes_[id].reverse_of = plane;
   return id;
 }
@@ -121,7 +120,7 @@ VertexId ExactSpace::add_input(const InputVertex& input) {
   if (input.kind == InputVertex::Kind::difference) vertex.definition.line = vertex.definition.input;
   vertex.approximate = input_coordinates<Interval>(input);
   inputs_.push_back(input);
-  vertices_.push_back(std::move(vertex));
+  vertices_.push_back(vertex);
   return static_cast<VertexId>(vertices_.size() - 1);
 }
 
@@ -148,7 +147,8 @@ VertexId ExactSpace::add_middle(VertexId u, VertexId v) {
 }
 
 VertexId ExactSpace::add_copy(VertexId vertex) {
-  vertices_.push_back(Vertex(vertices_[vertex]));
+  const Vertex copy = vertices_[vertex];
+  vertices_.push_back(copy);
   return static_cast<VertexId>(vertices_.size() - 1);
 }
 

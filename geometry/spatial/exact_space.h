@@ -129,7 +129,7 @@ class ExactSpace {
     Quadruple<Interval> approximate{Interval(0), Interval(0), Interval(0), Interval(0)};
   };
 
-  PlaneId add(PlaneDefinition definition);
+  PlaneId add(const PlaneDefinition& definition);
   VertexId add_input(const InputVertex& input);
   VertexId add_constructed(const VertexDefinition& definition);
   std::uint32_t common_line(VertexId u, VertexId v) const;

@@ -58,7 +58,7 @@ Kernel::Point_3 crossing(const Kernel::Plane_3& plane, const Kernel::Point_3& p,
   };
   const Kernel::FT at_p = height(p);
   const Kernel::FT share = at_p / (at_p - height(q));
-  const Kernel::Point_3 result = p + share * (q - p);
+  Kernel::Point_3 result = p + share * (q - p);
   result.exact();  // keeps expressions shallow
   return result;
 }

@@ -125,7 +125,8 @@ void split_vertices(ExactTriangles& surface, Fans& fans) {
     const auto [entry, is_new] = vertex_of_fan.try_emplace(fans.representative(corner), v);
     if (is_new && is_taken[v]) {
       entry->second = static_cast<std::uint32_t>(surface.points.size());
-      surface.points.push_back(ExactPoint(surface.points[v]));
+      const ExactPoint copy = surface.points[v];
+      surface.points.push_back(copy);
     }
     if (is_new) is_taken[v] = true;
     v = entry->second;

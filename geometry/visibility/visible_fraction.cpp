@@ -19,16 +19,20 @@ double rounded_up(const Rational& number) {
   return Rational(nearest) < number ? std::nextafter(nearest, std::numeric_limits<double>::infinity()) : nearest;
 }
 
+Rational distance(const Rational& a, const Rational& b) {
+  return a < b ? Rational(b - a) : Rational(a - b);
+}
+
 VisibleFraction rounded(const Rational& exact) {
   const double nearest = nearest_double(exact);
-  return {nearest, rounded_up(abs(Rational(exact - Rational(nearest)))), exact};
+  return {nearest, rounded_up(distance(exact, Rational(nearest))), exact};
 }
 
 VisibleFraction rounded(const Rational& least, const Rational& most) {
   if (least == most) return rounded(least);
   const double nearest = nearest_double(least);
-  const Rational below = abs(Rational(least - Rational(nearest)));
-  const Rational above = abs(Rational(most - Rational(nearest)));
+  const Rational below = distance(least, Rational(nearest));
+  const Rational above = distance(most, Rational(nearest));
   return {nearest, rounded_up(std::max(below, above)), std::nullopt};
 }
 
