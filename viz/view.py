@@ -19,7 +19,7 @@ PLANE = [0.45, 0.45, 0.50]
 
 # The cell array `facet_kind` of extremal lines.
 SEPARATING = (1, [0.72, 0.11, 0.42])
-SUPPORTING = (3, [0.00, 0.48, 0.32])
+SUPPORTING = (3, [0.00, 0.43, 0.26])
 
 # Number, name and colour of every value of the cell array `region`.
 REGIONS = [
