@@ -48,8 +48,7 @@ void remove_leftovers(const fs::path& directory) {
 
 fs::path fresh_folder(const fs::path& directory) {
   for (int number = 0;; ++number) {
-    fs::path folder =
-        directory / (std::string(prefix) + std::to_string(::getpid()) + "-" + std::to_string(number));
+    fs::path folder = directory / (std::string(prefix) + std::to_string(::getpid()) + "-" + std::to_string(number));
     std::error_code error;
     if (fs::create_directory(folder, error)) return folder;
     if (error) fail("cannot create the folder", folder, error);
