@@ -6,6 +6,7 @@ include(CMakePackageConfigHelpers)
 set(gnomon_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/gnomon)
 
 install(TARGETS gnomon)
+install(FILES viz/gnomon_reader.py DESTINATION ${CMAKE_INSTALL_DATADIR}/gnomon/paraview)
 install(TARGETS gnomon_geometry gnomon_scene gnomon_shading EXPORT gnomonTargets)
 install(TARGETS gnomon_viz EXPORT gnomonVizTargets)
 foreach(header IN ITEMS
@@ -47,9 +48,9 @@ foreach(header IN ITEMS
     shading/lambert.h
     shading/light_irradiance.h
     shading/planar_irradiance.h
-    viz/display.h
     viz/grid_file.h
     viz/picture.h
+    viz/series_writer.h
     viz/shadow_result.h
     viz/shadow_writer.h)
   cmake_path(GET header PARENT_PATH folder)

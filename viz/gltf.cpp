@@ -12,6 +12,7 @@
 
 #include "viz/palette.h"
 #include "viz/path_text.h"
+#include "viz/picture_facets.h"
 #include "viz/surface_files.h"
 
 namespace gnomon::viz {
@@ -109,10 +110,22 @@ struct Material {
   double opacity;
 };
 
-constexpr Material materials[] = {{"light", palette.light, 1},           {"blocker", palette.blocker, 1},
-                                  {"receiver", palette.receiver, 1},     {"occlusion", palette.occlusion, 0.15},
-                                  {"umbra", palette.umbra, 0.7},         {"penumbra", palette.penumbra, 0.35},
-                                  {"extremal_planes", palette.edge, 0.1}};
+constexpr Material materials[] = {{"light", palette.light, 1},
+                                  {"blocker", palette.blocker, 1},
+                                  {"receiver", palette.receiver, 1},
+                                  {"occlusion", palette.occlusion, 0.15},
+                                  {"umbra", palette.umbra, 0.7},
+                                  {"penumbra", palette.penumbra, 0.35},
+                                  {"extremal_planes", palette.edge, 0.1},
+                                  {"lit", palette.lit, 1},
+                                  {"unlit", palette.unlit, 1},
+                                  {"unresolved_eee", palette.unresolved_eee, 1},
+                                  {"penumbra on receiver", palette.penumbra, 1},
+                                  {"umbra on receiver", palette.umbra, 1},
+                                  {"D0", palette.discontinuities[0], 0.6},
+                                  {"D1", palette.discontinuities[1], 0.6},
+                                  {"D2", palette.discontinuities[2], 0.6},
+                                  {"other", palette.edge, 0.5}};
 
 // glTF colours are linear; this power is close enough to the sRGB curve for a picture.
 Json material_json(const Material& material) {
@@ -125,10 +138,45 @@ Json material_json(const Material& material) {
           {"doubleSided", true}};
 }
 
-std::size_t material_of(const Block& block) {
-  const std::string& name = block.kind == "volume" ? block.path.back() : block.kind;
+std::size_t material_named(const std::string& name) {
   const auto found = std::ranges::find_if(materials, [&](const Material& material) { return material.name == name; });
-  return static_cast<std::size_t>(found - std::begin(materials));
+  return static_cast<std::size_t>(std::min(found, std::end(materials) - 1) - std::begin(materials));
+}
+
+/// Faces and lines whose cells have looks of their own, look by look.
+Json divided_primitives(Document& document, vtkPolyData& surface, const Point3& centre) {
+  Json list = Json::array();
+  const auto add = [&](vtkPolyData& part, const std::string& material) {
+    for (Json& primitive : primitives(document, part, centre, material_named(material))) list.push_back(primitive);
+  };
+  for (const RegionFacets& part : region_facets(surface)) {
+    const bool shadow = part.name == "penumbra" || part.name == "umbra";
+    add(*part.data, shadow ? part.name + " on receiver" : part.name);
+  }
+  for (const OrderedFacets& part : ordered_lines(surface)) add(*part.data, part.name);
+  return list;
+}
+
+Json block_primitives(Document& document, const Block& block, vtkPolyData& surface, const Point3& centre) {
+  const std::string& place = block.path.front();
+  if (place == "receivers") {
+    Json list = divided_primitives(document, surface, centre);
+    if (!list.empty()) return list;
+  }
+  if (place == "discontinuities") {
+    Json list = divided_primitives(document, surface, centre);
+    for (const OrderedFacets& part : ordered_surfaces(surface)) {
+      for (Json& primitive : primitives(document, *part.data, centre, material_named(part.name))) {
+        list.push_back(primitive);
+      }
+    }
+    if (!list.empty()) return list;
+  }
+  const bool by_name = block.kind == "volume" || block.kind == "region";
+  const std::string material = block.kind == "boundaries" ? "extremal_planes"
+                               : by_name                  ? block.path.back()
+                                                          : block.kind;
+  return primitives(document, surface, centre, material_named(material));
 }
 
 std::string data_uri(const std::vector<unsigned char>& bytes) {
@@ -150,7 +198,7 @@ std::string gltf_text(std::span<const Block> blocks, const Box3& clip_box) {
     vtkPolyData* surface = vtkPolyData::SafeDownCast(block.data);
     if (surface == nullptr || block.empty()) continue;
     const std::string name = joined(block.path);
-    meshes.push_back({{"name", name}, {"primitives", primitives(document, *surface, centre, material_of(block))}});
+    meshes.push_back({{"name", name}, {"primitives", block_primitives(document, block, *surface, centre)}});
     nodes[0]["children"].push_back(nodes.size());
     nodes.push_back({{"name", name}, {"mesh", meshes.size() - 1}});
   }

@@ -18,8 +18,12 @@ struct Palette {
   Color umbra = {0.07, 0.22, 0.42};
   Color occlusion = {0.60, 0.60, 0.60};
   Color separating = {0.72, 0.11, 0.42};
-  Color supporting = {0.00, 0.48, 0.32};
+  Color supporting = {0.00, 0.43, 0.26};
   Color edge = {0.12, 0.12, 0.14};
+  Color unlit = {0.35, 0.33, 0.36};
+  Color unresolved_eee = {0.80, 0.47, 0.65};
+  /// Where the visible fraction jumps, its first derivative does, or its second.
+  std::array<Color, 3> discontinuities = {{{0.20, 0.00, 0.05}, {0.85, 0.08, 0.35}, {0.48, 0.92, 0.48}}};
 };
 
 inline constexpr Palette palette;

@@ -1,39 +1,82 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
+#include <string_view>
+#include <variant>
 
+#include "geometry/point.h"
 #include "viz/shadow_result.h"
 
 namespace gnomon {
 
-/// There is no X display to render on. what() tells the user what to do.
+/// There is no X display to render on, and none can be started. what() tells the user what to do.
 class NoDisplayError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-struct PictureOptions {
-  int width = 1280;  ///< pixels
-  int height = 960;  ///< pixels
+/// What a picture is written as.
+enum class PictureFormat {
+  png,   ///< pixels; the only one that needs a display, and starts a virtual one if there is none
+  svg,   ///< a line drawing; scenes of the plane only
+  gltf,  ///< every surface of the result, for other programs
+  html,  ///< one page that needs nothing else; in space it turns with the mouse
 };
 
-/// Draws lights, blockers, receivers and volumes, umbra inside penumbra, with a legend, and writes a PNG file.
+/// The format that the file's ending asks for, or nothing.
+std::optional<PictureFormat> picture_format(const std::filesystem::path& file);
+
+/// From where a scene in space is seen; it is framed so that everything is in the picture. "Up" is the axis that leads
+/// from the blockers to the lights, z where that is close. Where z is up, the front is seen along y, the left along x.
+enum class CameraPreset { three_quarter, front, back, left, right, top, bottom };
+
+/// The preset of that name ("three-quarter", "front", ...), or nothing.
+std::optional<CameraPreset> camera_preset(std::string_view name);
+
+/// A camera of one's own.
+struct CameraPlace {
+  Point3 position;
+  std::optional<Point3> focus = {};  ///< by default the middle of what is seen
+  std::optional<Point3> up = {};     ///< by default as for the presets
+};
+
+/// Something that may be left out of a picture.
+enum class Shown { yes, no };
+
+struct PictureOptions {
+  int width = 1280;                                                              ///< pixels
+  int height = 960;                                                              ///< pixels
+  std::variant<CameraPreset, CameraPlace> camera = CameraPreset::three_quarter;  ///< for scenes in space
+  Shown legend = Shown::yes;
+  Shown labels = Shown::yes;  ///< names of elements, as long as there are few
+};
+
+/// Draws lights, blockers, receivers and volumes, umbra inside penumbra, with names and a legend, and writes a file of
+/// the format that its ending says.
 ///
-/// The shadows that the volumes cast on each receiver are painted on it. A receiver that has the whole scene on one
-/// side ends the volumes. Walls that hide the scene from the camera are drawn as outlines. A picture is no proof:
-/// these cuts are made in doubles.
+/// The shadows that the volumes cast on each receiver are painted on it; where the result holds divided receivers or
+/// discontinuities, their faces are painted instead, and surfaces and lines shown by their order. A receiver that has
+/// the whole scene on one side ends the volumes. Walls that hide the scene from the camera are drawn as outlines. A
+/// picture is no proof: these cuts are made in doubles.
 ///
 /// A scene of the plane becomes a drawing: the clip box with its regions filled, the extremal lines, light and blocker.
 ///
-/// Requires: result.scene is not null; width and height at least 64.
-/// Throws:   NoDisplayError; std::runtime_error naming the file that could not be written; PreconditionError.
-void render_scene(const ShadowResult& result, const std::filesystem::path& png, const PictureOptions& options = {});
+/// Requires: result.scene is not null; width and height at least 64; the ending of a format; for SVG a scene of the
+///           plane; a camera that is not at its focus.
+/// Throws:   NoDisplayError; std::runtime_error naming the file that could not be written, or what is to be installed;
+///           PreconditionError.
+/// While a PNG is drawn without a display, the environment's DISPLAY is another one.
+void render_scene(const ShadowResult& result, const std::filesystem::path& file, const PictureOptions& options = {});
 
-/// Draws the same picture of a folder that write_shadow has written as vtm or vtpc.
+/// Draws the same picture of a folder that a command has written as vtm or vtpc.
 ///
-/// Throws: NoDisplayError; std::runtime_error naming the file that could not be read or written; PreconditionError.
-void render_result(const std::filesystem::path& directory, const std::filesystem::path& png,
+/// Throws: as render_scene; std::runtime_error naming the file that could not be read.
+void render_result(const std::filesystem::path& directory, const std::filesystem::path& file,
                    const PictureOptions& options = {});
+
+/// The dimension of the scene of such a folder, 2 or 3. Throws: std::runtime_error naming the file.
+int result_dimension(const std::filesystem::path& directory);
 
 }  // namespace gnomon

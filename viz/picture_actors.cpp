@@ -1,163 +1,69 @@
 #include "viz/picture_actors.h"
 
 #include <vtkActor.h>
-#include <vtkFeatureEdges.h>
+#include <vtkCoordinate.h>
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
-#include <vtkSphereSource.h>
-#include <vtkTubeFilter.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+
+#include <cmath>
 
 #include "viz/palette.h"
-#include "viz/vector.h"
-#include "viz/vtk_cells.h"
 
 namespace gnomon::viz {
 namespace {
 
-/// How a surface or line looks.
-struct Look {
-  Color color;
-  double opacity = 1;
-  double ambient = 0.55;
-  double line_width = 1;
-};
+constexpr double label_size = 12;
+constexpr double opacity_from_behind = 0.35;
 
-void add_actor(vtkRenderer& renderer, vtkPolyDataMapper* mapper, const Look& look) {
+void add_actor(vtkRenderer& renderer, const PictureItem& item, double opacity, double pixel) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(item.data);
   mapper->ScalarVisibilityOff();
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   vtkProperty* property = actor->GetProperty();
-  property->SetColor(look.color[0], look.color[1], look.color[2]);
-  property->SetOpacity(look.opacity);
-  property->SetAmbient(look.ambient);
-  property->SetDiffuse(1 - look.ambient);
+  property->SetColor(item.look.color[0], item.look.color[1], item.look.color[2]);
+  property->SetOpacity(opacity);
+  property->SetAmbient(item.look.ambient);
+  property->SetDiffuse(1 - item.look.ambient);
   property->SetSpecular(0);
   property->SetInterpolationToFlat();
-  property->SetLineWidth(static_cast<float>(look.line_width));
+  property->SetLineWidth(static_cast<float>(item.look.line_width * pixel));
   renderer.AddActor(actor);
-}
-
-void add_data(vtkRenderer& renderer, vtkPolyData* data, const Look& look) {
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(data);
-  add_actor(renderer, mapper, look);
-}
-
-void add_filter(vtkRenderer& renderer, vtkAlgorithm& filter, const Look& look) {
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(filter.GetOutputPort());
-  add_actor(renderer, mapper, look);
-}
-
-enum class Edges { all, creases };
-
-/// Borders and creases, not the diagonals of a triangulation.
-void add_edges(vtkRenderer& renderer, vtkPolyData* data, const Look& look, Edges which = Edges::all) {
-  vtkNew<vtkFeatureEdges> edges;
-  edges->SetInputData(data);
-  edges->SetFeatureAngle(0.5);
-  edges->SetBoundaryEdges(which == Edges::all);
-  edges->ColoringOff();
-  add_filter(renderer, *edges, look);
-}
-
-vtkSmartPointer<vtkPolyData> polygon_data(const Polygon& polygon, const Point3& shift) {
-  Polygon moved;
-  std::vector<std::size_t> indices;
-  for (const Point3& p : polygon) {
-    indices.push_back(moved.size());
-    moved.push_back(p + shift);
-  }
-  vtkNew<vtkCellArray> cells;
-  insert_cell(*cells, indices);
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(vtk_points(moved));
-  data->SetPolys(cells);
-  return data;
-}
-
-vtkSmartPointer<vtkPolyData> outline_data(const Polygon& polygon, const Point3& shift) {
-  auto data = polygon_data(polygon, shift);
-  vtkNew<vtkCellArray> line;
-  std::vector<std::size_t> indices;
-  for (std::size_t i = 0; i <= polygon.size(); ++i) indices.push_back(i % polygon.size());
-  insert_cell(*line, indices);
-  data->SetPolys(nullptr);
-  data->SetLines(line);
-  return data;
-}
-
-void add_receivers(vtkRenderer& renderer, const PictureScene& scene, const PictureView& view, double pixel) {
-  for (const PictureReceiver& receiver : scene.receivers) {
-    const bool filled = is_seen_from_inside(receiver, view);
-    if (filled) add_data(renderer, polygon_data(receiver.polygon, {}), {palette.receiver, 1, 0.8});
-    const Look outline{palette.edge, filled ? 1 : 0.35, 1, pixel};
-    add_data(renderer, outline_data(receiver.polygon, {}), outline);
-  }
-}
-
-// Each layer lies a little above the one below it, less than a pixel of the picture.
-void add_shadows(vtkRenderer& renderer, const PictureScene& scene, const PictureView& view, double pixel) {
-  for (const PaintedShadow& shadow : scene.shadows) {
-    const PictureReceiver& receiver = scene.receivers[shadow.receiver];
-    if (!is_seen_from_inside(receiver, view)) continue;
-    const double side = receiver.plane.distance(view.position) > 0 ? 1 : -1;
-    const double layer = side * scene.size * (shadow.umbra ? 3e-4 : 1e-4);
-    const Color& color = shadow.umbra ? palette.umbra : palette.penumbra;
-    add_data(renderer, polygon_data(shadow.polygon, layer * receiver.plane.normal), {color, 1, 0.9});
-    const Point3 lift = (layer + side * 1e-4 * scene.size) * receiver.plane.normal;
-    add_data(renderer, outline_data(shadow.polygon, lift), {palette.edge, 1, 1, pixel});
-  }
-}
-
-// The borders of volumes are drawn already: they are edges of blockers and of painted shadows.
-void add_volumes(vtkRenderer& renderer, const PictureScene& scene, double pixel) {
-  for (const auto& surface : scene.umbras) {
-    add_data(renderer, surface, {palette.umbra, 0.5, 0.6});
-    add_edges(renderer, surface, {palette.umbra, 0.9, 1, 1.5 * pixel}, Edges::creases);
-  }
-  for (const auto& surface : scene.penumbras) {
-    add_data(renderer, surface, {palette.penumbra, 0.33, 0.6});
-    add_edges(renderer, surface, {palette.penumbra, 0.9, 1, 1.5 * pixel}, Edges::creases);
-  }
-}
-
-/// A light may have no extent: a point becomes a ball, a segment a rod.
-void add_light(vtkRenderer& renderer, const PictureBlock& light, double size, double pixel) {
-  const Look look{palette.light, 1, 0.9};
-  if (light.data->GetNumberOfPolys() > 0) {
-    add_data(renderer, light.data, look);
-    add_edges(renderer, light.data, {palette.edge, 1, 1, 1.5 * pixel});
-  } else if (light.data->GetNumberOfLines() > 0) {
-    vtkNew<vtkTubeFilter> rod;
-    rod->SetInputData(light.data);
-    rod->SetRadius(0.006 * size);
-    rod->SetNumberOfSides(24);
-    rod->CappingOn();
-    add_filter(renderer, *rod, look);
-  } else {
-    vtkNew<vtkSphereSource> ball;
-    ball->SetCenter(light.data->GetPoint(0));
-    ball->SetRadius(0.012 * size);
-    ball->SetThetaResolution(32);
-    ball->SetPhiResolution(24);
-    add_filter(renderer, *ball, look);
-  }
 }
 
 }  // namespace
 
-void add_actors(vtkRenderer& renderer, const PictureScene& scene, const PictureView& view, double pixel) {
-  add_receivers(renderer, scene, view, pixel);
-  add_shadows(renderer, scene, view, pixel);
-  for (const PictureBlock& light : scene.lights) add_light(renderer, light, scene.size, pixel);
-  for (const PictureBlock& blocker : scene.blockers) {
-    add_data(renderer, blocker.data, {palette.blocker, 1, 0.6});
-    add_edges(renderer, blocker.data, {palette.edge, 1, 1, 1.5 * pixel});
+void add_actors(vtkRenderer& renderer, std::span<const PictureItem> items, const PictureView& view, double pixel) {
+  for (const PictureItem& item : items) {
+    const bool behind = item.front && item.front->distance(view.position) <= 0;
+    const bool lines = item.data->GetNumberOfPolys() == 0;
+    if (behind && !lines) continue;
+    add_actor(renderer, item, behind ? opacity_from_behind : item.look.opacity, pixel);
   }
-  add_volumes(renderer, scene, pixel);
+}
+
+// In front of everything: what stands between camera and element hides no name.
+void add_labels(vtkRenderer& renderer, std::span<const PictureLabel> labels, const PictureView& view, double pixel) {
+  for (const PictureLabel& label : labels) {
+    if (label.front && label.front->distance(view.position) <= 0) continue;
+    vtkNew<vtkTextActor> actor;
+    actor->SetInput(label.text.c_str());
+    actor->GetPositionCoordinate()->SetCoordinateSystemToWorld();
+    actor->GetPositionCoordinate()->SetValue(label.at.x, label.at.y, label.at.z);
+    vtkTextProperty* look = actor->GetTextProperty();
+    look->SetFontSize(static_cast<int>(std::lround(label_size * pixel)));
+    look->SetColor(palette.edge[0], palette.edge[1], palette.edge[2]);
+    look->SetBackgroundColor(1, 1, 1);
+    look->SetBackgroundOpacity(0.75);
+    look->SetJustificationToCentered();
+    look->SetVerticalJustificationToCentered();
+    renderer.AddActor2D(actor);
+  }
 }
 
 }  // namespace gnomon::viz

@@ -1,16 +1,20 @@
 #include "viz/picture_camera.h"
 
+#include <vtkBoundingBox.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "geometry/errors.h"
+#include "viz/picture_items.h"
 #include "viz/vector.h"
 
 namespace gnomon::viz {
 namespace {
 
 constexpr double elevation = 24 * std::numbers::pi / 180;
-constexpr double margin = 1.06;
+constexpr double words = 10;  ///< half the height of a label, in pixels
 
 Point3 middle_of(const std::vector<PictureBlock>& blocks) {
   Point3 sum;
@@ -75,25 +79,21 @@ struct Seen {
 double distance(const std::vector<Seen>& points, double half_width, double half_height) {
   double result = 0;
   for (const Seen& p : points) {
-    result = std::max(
-        {result, p.toward + margin * std::abs(p.right) / half_width, p.toward + margin * std::abs(p.up) / half_height});
+    result = std::max({result, p.toward + std::abs(p.right) / half_width, p.toward + std::abs(p.up) / half_height});
   }
   return result;
 }
 
-}  // namespace
-
-PictureView three_quarter_view(const PictureScene& scene, double width_to_height) {
-  const Point3 up = up_of(scene);
-  const Point3 toward = best_direction(scene, up);
+/// Moving the focus to the middle of what is seen changes the perspective a little; a few rounds settle it.
+PictureView framed(const PictureScene& scene, const Point3& toward, const Point3& up, const DrawingSize& size) {
   const Point3 right = unit(cross(up, toward));
   const Point3 upward = cross(toward, right);
-  const std::vector<Point3> points = visible_points(scene);
+  std::vector<Point3> points = visible_points(scene);
+  for (const PictureLabel& label : picture_labels(scene, up)) points.push_back(label.at);
+  const double margin = 1 / (1 - 2 * std::max(0.03, words / size.height));
   PictureView view{{}, points.empty() ? Point3{} : points.front(), up};
   const double half_height = std::tan(view.angle / 2 * std::numbers::pi / 180);
-  const double half_width = half_height * width_to_height;
-
-  // Moving the focus to the middle of what is seen changes the perspective a little; a few rounds settle it.
+  const double half_width = half_height * size.width / size.height;
   double away = scene.size;
   for (int round = 0; round < 12; ++round) {
     std::vector<Seen> seen;
@@ -101,7 +101,7 @@ PictureView three_quarter_view(const PictureScene& scene, double width_to_height
       const Point3 d = p - view.focus;
       seen.push_back({dot(d, right), dot(d, upward), dot(d, toward)});
     }
-    away = distance(seen, half_width, half_height);
+    away = distance(seen, half_width / margin, half_height / margin);
     const auto middle = [&](auto side) {
       const auto [low, high] =
           std::ranges::minmax(seen, {}, [&](const Seen& p) { return p.*side / (away - p.toward); });
@@ -113,8 +113,60 @@ PictureView three_quarter_view(const PictureScene& scene, double width_to_height
   return view;
 }
 
-bool is_seen_from_inside(const PictureReceiver& receiver, const PictureView& view) {
-  return !receiver.ends_scene || receiver.plane.distance(view.position) > 0;
+/// Where the front is: toward a viewer who sees the first level axis run to the right.
+Point3 front_of(const Point3& up) {
+  const Point3 right = up.x != 0 ? Point3{0, 1, 0} : Point3{1, 0, 0};
+  return cross(right, up);
+}
+
+PictureView preset_view(const PictureScene& scene, CameraPreset preset, const DrawingSize& size) {
+  const Point3 up = up_of(scene);
+  const Point3 front = front_of(up);
+  const Point3 left = cross(front, up);
+  switch (preset) {
+    case CameraPreset::three_quarter:
+      return framed(scene, best_direction(scene, up), up, size);
+    case CameraPreset::front:
+      return framed(scene, front, up, size);
+    case CameraPreset::back:
+      return framed(scene, -1 * front, up, size);
+    case CameraPreset::left:
+      return framed(scene, left, up, size);
+    case CameraPreset::right:
+      return framed(scene, -1 * left, up, size);
+    case CameraPreset::top:
+      return framed(scene, up, -1 * front, size);
+    case CameraPreset::bottom:
+      return framed(scene, -1 * up, front, size);
+  }
+  return {};
+}
+
+Point3 middle_of_box(const std::vector<Point3>& points) {
+  vtkBoundingBox box;
+  for (const Point3& p : points) box.AddPoint(p.x, p.y, p.z);
+  double middle[3] = {0, 0, 0};
+  if (box.IsValid()) box.GetCenter(middle);
+  return {middle[0], middle[1], middle[2]};
+}
+
+PictureView placed_view(const PictureScene& scene, const CameraPlace& place) {
+  const Point3 focus = place.focus ? *place.focus : middle_of_box(visible_points(scene));
+  const Point3 toward = place.position - focus;
+  if (length(toward) == 0) throw PreconditionError("picture: the camera is where it looks");
+  Point3 up = place.up.value_or(up_of(scene));
+  const auto along_view = [&] { return length(cross(unit(up), unit(toward))) < 1e-6; };
+  if (along_view() && !place.up) up = -1 * front_of(up);
+  if (along_view()) throw PreconditionError("picture: the camera's up direction is along its view");
+  return {place.position, focus, up};
+}
+
+}  // namespace
+
+PictureView picture_view(const PictureScene& scene, const std::variant<CameraPreset, CameraPlace>& camera,
+                         const DrawingSize& size) {
+  if (const auto* place = std::get_if<CameraPlace>(&camera)) return placed_view(scene, *place);
+  return preset_view(scene, std::get<CameraPreset>(camera), size);
 }
 
 }  // namespace gnomon::viz

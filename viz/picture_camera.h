@@ -1,5 +1,9 @@
 #pragma once
 
+#include <variant>
+
+#include "viz/drawing_size.h"
+#include "viz/picture.h"
 #include "viz/picture_scene.h"
 
 namespace gnomon::viz {
@@ -12,11 +16,11 @@ struct PictureView {
   double angle = 26;  ///< of the whole picture's height, degrees
 };
 
-/// A three-quarter view from above that shows as much of the receivers as possible and frames every visible point.
-/// "Above" is where the lights are: the axis of space that leads there from the blockers, z where it is close.
-PictureView three_quarter_view(const PictureScene& scene, double width_to_height);
-
-/// False for a wall between the camera and the scene.
-bool is_seen_from_inside(const PictureReceiver& receiver, const PictureView& view);
+/// Presets frame every visible point. The three-quarter view is one from above that shows as much of the receivers as
+/// possible.
+///
+/// Requires: a place that is not at its focus; an up direction that is not along the view.
+PictureView picture_view(const PictureScene& scene, const std::variant<CameraPreset, CameraPlace>& camera,
+                         const DrawingSize& size);
 
 }  // namespace gnomon::viz

@@ -11,8 +11,10 @@
 #include <vtkTextProperty.h>
 
 #include <algorithm>
+#include <map>
 #include <vector>
 
+#include "viz/picture_facets.h"
 #include "viz/vtk_cells.h"
 
 namespace gnomon::viz {
@@ -120,11 +122,36 @@ double letter_size(const LegendPage& page, const Legend& legend) {
   return std::min({page.width() / widest, page.height() / lines, 0.08 * page.width()});
 }
 
+void add_once(std::vector<LegendEntry>& list, const LegendEntry& entry) {
+  if (std::ranges::count(list, entry.text, &LegendEntry::text) == 0) list.push_back(entry);
+}
+
+std::string discontinuity_text(const std::string& order) {
+  const std::string jumps = order == "D0" ? "jumps" : order == "D1" ? "has a kink" : "has a kinked slope";
+  return order + ": light " + jumps;
+}
+
+/// What is seen of divided receivers and of discontinuities, every region and order once.
+void add_divisions(std::vector<LegendEntry>& list, const PictureScene& scene) {
+  for (const PictureBlock& block : scene.divided_receivers) {
+    for (const RegionFacets& part : region_facets(*block.data))
+      add_once(list, {part.name + " on receiver", part.color});
+  }
+  std::map<std::string, Color> orders;
+  for (const auto* blocks : {&scene.divided_receivers, &scene.discontinuities}) {
+    for (const PictureBlock& block : *blocks) {
+      for (const OrderedFacets& part : ordered_lines(*block.data)) orders.emplace(part.name, part.color);
+      for (const OrderedFacets& part : ordered_surfaces(*block.data)) orders.emplace(part.name, part.color);
+    }
+  }
+  for (const auto& [order, color] : orders) add_once(list, {discontinuity_text(order), color, LegendMark::line});
+}
+
 }  // namespace
 
 std::vector<LegendEntry> legend_entries(const PictureScene& scene) {
   std::vector<LegendEntry> list;
-  const auto cells = [](const auto& surface) { return surface->GetNumberOfCells() > 0; };
+  const auto cells = [](const PictureBlock& block) { return block.data->GetNumberOfCells() > 0; };
   const auto painted = [&](bool umbra) {
     return std::ranges::any_of(scene.shadows, [&](const PaintedShadow& shadow) { return shadow.umbra == umbra; });
   };
@@ -135,6 +162,7 @@ std::vector<LegendEntry> legend_entries(const PictureScene& scene) {
   if (!scene.receivers.empty()) list.push_back({receiver_text(scene), palette.receiver});
   if (painted(false)) list.push_back({"penumbra on receiver", palette.penumbra});
   if (painted(true)) list.push_back({"umbra on receiver", palette.umbra});
+  add_divisions(list, scene);
   return list;
 }
 

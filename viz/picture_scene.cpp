@@ -48,10 +48,12 @@ PictureReceiver receiver(const PictureBlock& block, const std::vector<Point3>& s
   return result;
 }
 
-/// The cells of the kinds given. Without the others nothing is drawn twice in one place: blockers cover blocker faces,
-/// umbrae cover their boundary with the penumbra.
+/// The cells of the kinds given, with their arrays. Without the others nothing is drawn twice in one place: blockers
+/// cover blocker faces, umbrae cover their boundary with the penumbra.
 vtkSmartPointer<vtkPolyData> facets_of(vtkPolyData& surface, std::initializer_list<FacetKind> kinds) {
   vtkDataArray* kind = surface.GetCellData()->GetArray("facet_kind");
+  auto facets = vtkSmartPointer<vtkPolyData>::New();
+  facets->GetCellData()->CopyAllocate(surface.GetCellData());
   vtkNew<vtkCellArray> cells;
   for (vtkIdType i = 0; i < surface.GetNumberOfCells(); ++i) {
     const auto value = static_cast<FacetKind>(kind == nullptr ? 255 : static_cast<int>(kind->GetComponent(i, 0)));
@@ -59,9 +61,8 @@ vtkSmartPointer<vtkPolyData> facets_of(vtkPolyData& surface, std::initializer_li
     vtkIdType size = 0;
     const vtkIdType* points = nullptr;
     surface.GetCellPoints(i, size, points);
-    cells->InsertNextCell(size, points);
+    facets->GetCellData()->CopyData(surface.GetCellData(), i, cells->InsertNextCell(size, points));
   }
-  auto facets = vtkSmartPointer<vtkPolyData>::New();
   facets->SetPoints(surface.GetPoints());
   facets->SetPolys(cells);
   return facets;
@@ -99,11 +100,11 @@ void add_volume(PictureScene& scene, const PictureBlock& block) {
   if (block.path.back() == "umbra") {
     const auto facets = facets_of(*block.data, {separating_blocker_plane, separating_light_plane,
                                                 supporting_blocker_plane, clip_box, light_plane});
-    scene.umbras.push_back(ended(facets, scene));
+    scene.umbras.push_back({block.path, block.kind, ended(facets, scene)});
   } else if (block.path.back() == "penumbra") {
     const auto facets =
         facets_of(*block.data, {separating_blocker_plane, separating_light_plane, clip_box, light_plane});
-    scene.penumbras.push_back(ended(facets, scene));
+    scene.penumbras.push_back({block.path, block.kind, ended(facets, scene)});
   }
 }
 
@@ -133,9 +134,13 @@ PictureScene picture_scene(const PictureSource& source) {
     if (block.kind == "receiver") scene.receivers.push_back(receiver(block, points, scene.size));
   }
   for (const PictureBlock& block : blocks) {
+    if (block.path.front() == "receivers") scene.divided_receivers.push_back(block);
+    if (block.path.front() == "discontinuities") scene.discontinuities.push_back(block);
+  }
+  for (const PictureBlock& block : blocks) {
     if (block.kind != "volume") continue;
     add_volume(scene, block);
-    add_shadows(scene, block);
+    if (scene.divided_receivers.empty()) add_shadows(scene, block);
   }
   std::stable_partition(scene.shadows.begin(), scene.shadows.end(),
                         [](const PaintedShadow& shadow) { return !shadow.umbra; });
@@ -148,8 +153,8 @@ std::vector<Point3> visible_points(const PictureScene& scene) {
   for (const PictureBlock& block : scene.lights) add(points_of(*block.data));
   for (const PictureBlock& block : scene.blockers) add(points_of(*block.data));
   for (const PictureReceiver& receiver : scene.receivers) add(receiver.polygon);
-  for (const auto& surface : scene.umbras) add(points_of(*surface));
-  for (const auto& surface : scene.penumbras) add(points_of(*surface));
+  for (const PictureBlock& block : scene.umbras) add(points_of(*block.data));
+  for (const PictureBlock& block : scene.penumbras) add(points_of(*block.data));
   return all;
 }
 

@@ -1,30 +1,12 @@
 #pragma once
 
-#include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
-
 #include <string>
 #include <vector>
 
 #include "viz/picture_geometry.h"
+#include "viz/picture_source.h"
 
 namespace gnomon::viz {
-
-/// A block as a picture takes it, from memory or from a file.
-struct PictureBlock {
-  std::vector<std::string> path;
-  std::string kind;
-  vtkSmartPointer<vtkPolyData> data;
-};
-
-/// A result as a picture takes it.
-struct PictureSource {
-  std::string title;
-  bool complete = true;  ///< false if the shadows of some pairs are not known
-  int dimension = 3;
-  Box3 clip_box;
-  std::vector<PictureBlock> blocks;
-};
 
 struct PictureReceiver {
   std::string name;
@@ -48,9 +30,11 @@ struct PictureScene {
   std::vector<PictureBlock> lights;
   std::vector<PictureBlock> blockers;
   std::vector<PictureReceiver> receivers;
-  std::vector<vtkSmartPointer<vtkPolyData>> umbras;
-  std::vector<vtkSmartPointer<vtkPolyData>> penumbras;  ///< without the boundary they share with umbras
-  std::vector<PaintedShadow> shadows;                   ///< penumbrae first
+  std::vector<PictureBlock> umbras;
+  std::vector<PictureBlock> penumbras;          ///< without the boundary they share with umbras
+  std::vector<PaintedShadow> shadows;           ///< penumbrae first; none where receivers are divided
+  std::vector<PictureBlock> divided_receivers;  ///< faces with their regions, edges with their orders
+  std::vector<PictureBlock> discontinuities;    ///< surfaces with their orders
 };
 
 PictureScene picture_scene(const PictureSource& source);

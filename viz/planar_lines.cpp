@@ -58,7 +58,8 @@ std::map<std::string, NamedLine> named_lines(const PictureSource& source) {
       const auto cell = static_cast<vtkIdType>(i);
       const auto kind = static_cast<FacetKind>(kinds->GetComponent(cell, 0));
       if (kind != FacetKind::separating_blocker_plane && kind != FacetKind::supporting_blocker_plane) continue;
-      const auto [place, is_new] = lines.try_emplace(line_name(block, cell), NamedLine{segments[i], kind});
+      const auto place = lines.try_emplace(line_name(block, cell), NamedLine{segments[i], kind, {}}).first;
+      place->second.pieces.push_back(segments[i]);
       const Segment& known = place->second.segment;
       if (length(segments[i].end - segments[i].start) > length(known.end - known.start))
         place->second.segment = segments[i];

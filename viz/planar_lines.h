@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "geometry/spatial/shadow_volume.h"
-#include "viz/picture_scene.h"
+#include "viz/picture_geometry.h"
+#include "viz/picture_source.h"
 
 namespace gnomon::viz {
 
@@ -22,14 +23,14 @@ std::vector<Segment> segments_of(const PictureBlock& block, std::optional<FacetK
 /// extremal lines of every pair.
 bool is_line_block(const PictureSource& source, const PictureBlock& block);
 
-/// A line with a name, and a piece of it.
+/// A line with a name.
 struct NamedLine {
-  Segment segment;
+  Segment segment;  ///< its longest piece
   FacetKind kind;
+  std::vector<Segment> pieces;  ///< all of them
 };
 
-/// Every separating or supporting line once, on its longest piece, by the elements that it goes through:
-/// "wall 0, tube 1".
+/// Every separating or supporting line once, by the elements that it goes through: "wall 0, tube 1".
 std::map<std::string, NamedLine> named_lines(const PictureSource& source);
 
 }  // namespace gnomon::viz

@@ -19,7 +19,7 @@ PLANE = [0.45, 0.45, 0.50]
 
 # The cell array `facet_kind` of extremal lines.
 SEPARATING = (1, [0.72, 0.11, 0.42])
-SUPPORTING = (3, [0.00, 0.48, 0.32])
+SUPPORTING = (3, [0.00, 0.43, 0.26])
 
 # Number, name and colour of every value of the cell array `region`.
 REGIONS = [
@@ -57,9 +57,17 @@ def read_manifest(folder):
 
 def root_file(folder, manifest):
     for root in manifest["roots"]:
-        if root.endswith((".vtm", ".vtpc")):
+        if root.endswith((".vtm", ".vtpc", ".pvd")):
             return os.path.join(folder, root)
-    raise SystemExit("view.py: the result has no .vtm or .vtpc file")
+    raise SystemExit("view.py: the result has no .vtm, .vtpc or .pvd file")
+
+
+# The same for `discontinuity_order`: where the light jumps, its first derivative does, or its second.
+ORDERS = [
+    (0, "D0", [0.20, 0.00, 0.05]),
+    (1, "D1", [0.85, 0.08, 0.35]),
+    (2, "D2", [0.48, 0.92, 0.48]),
+]
 
 
 class Result:
@@ -82,6 +90,15 @@ class Result:
         extract.UpdatePipeline()
         return extract
 
+    def tree(self, name, folder):
+        """All blocks of one folder at the root; None if there are none."""
+        if not any(b["path"][0] == folder and b["file"] for b in self.blocks):
+            return None
+        extract = simple.ExtractBlock(registrationName=name, Input=self.reader)
+        extract.Selectors = ["/Root/" + folder]
+        extract.UpdatePipeline()
+        return extract
+
     def show(self, source, color, opacity=1.0, edges=False):
         if source is None:
             return None
@@ -99,15 +116,18 @@ class Result:
         return display
 
 
-def region_colors(names):
-    """The colours of the regions of these names, which are those that a legend shows."""
-    regions = [region for region in REGIONS if region[1] in names]
-    table = simple.GetColorTransferFunction("region")
+def category_colors(array, entries):
+    """Colours of an array of numbers that stand for names; they are those that a legend shows."""
+    table = simple.GetColorTransferFunction(array)
     table.InterpretValuesAsCategories = 1
-    table.Annotations = [text for number, name, _ in regions for text in (str(number), name)]
-    table.IndexedColors = [value for _, _, color in regions for value in color]
-    table.IndexedOpacities = [1.0] * len(regions)
+    table.Annotations = [text for number, name, _ in entries for text in (str(number), name)]
+    table.IndexedColors = [value for _, _, color in entries for value in color]
+    table.IndexedOpacities = [1.0] * len(entries)
     return table
+
+
+def region_colors(names):
+    return category_colors("region", [region for region in REGIONS if region[1] in names])
 
 
 def only(source, name, facet_kind):
@@ -187,6 +207,18 @@ def show_legend(view, table):
     bar.Visibility = 1
 
 
+def show_divisions(result):
+    """Discontinuities by their order, divided receivers by their regions. Returns whether regions are shown."""
+    surfaces = result.tree("discontinuities", "discontinuities")
+    if surfaces is not None:
+        simple.ColorBy(result.show(surfaces, EDGE, 0.5), ("CELLS", "discontinuity_order"))
+        category_colors("discontinuity_order", ORDERS)
+    divided = result.tree("divided receivers", "receivers")
+    if divided is not None:
+        simple.ColorBy(result.show(divided, EDGE), ("CELLS", "region"))
+    return divided is not None
+
+
 def show_space(result):
     """Returns the names of the regions shown."""
     lights = result.part("lights", "light")
@@ -198,6 +230,8 @@ def show_space(result):
     umbrae = show_volume(result, "umbra", 0.55, (0,))
     penumbrae = show_volume(result, "penumbra", 0.3, (0, 3))
 
+    divided = show_divisions(result)
+
     # There to be switched on.
     for hidden in (result.part("occlusion volumes", "volume", "occlusion"),
                    result.part("extremal planes", "extremal_planes")):
@@ -206,6 +240,8 @@ def show_space(result):
             simple.Hide(hidden, result.view)
 
     set_camera(result.view, up_axis(lights, blockers))
+    if divided:
+        return [name for _, name, _ in REGIONS]
     return [name for name, source in (("umbra", umbrae), ("penumbra", penumbrae)) if source is not None]
 
 
@@ -218,6 +254,15 @@ class Drawing:
         self.box = box
         self.step = 1e-3 * max(box[3] - box[0], box[4] - box[1])
         self.layer = 0
+
+    def tree(self, name, folder):
+        """All blocks of one folder at the root; None if there are none."""
+        if not any(b["path"][0] == folder and b["file"] for b in self.blocks):
+            return None
+        extract = simple.ExtractBlock(registrationName=name, Input=self.reader)
+        extract.Selectors = ["/Root/" + folder]
+        extract.UpdatePipeline()
+        return extract
 
     def show(self, source, color, line_width=4.0):
         if source is None:
@@ -290,6 +335,8 @@ def main(arguments):
         names = show_space(result)
     if names:
         show_legend(view, region_colors(names))
+    if file.endswith(".pvd"):
+        simple.GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
     simple.Render(view)
     if options.screenshot:
         simple.SaveScreenshot(options.screenshot, view, ImageResolution=[1280, 960])

@@ -15,13 +15,6 @@
 namespace gnomon {
 namespace {
 
-std::optional<double> finite_number(std::string_view text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
 /// Number of letters to insert, delete or replace.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
@@ -110,6 +103,13 @@ Box3 clip_box(const Scene& scene, const std::string& box_option) {
   if (const auto box = default_clip_box(scene)) return *box;
   throw SceneError(scene.source +
                    ": the scene has no finite bounding box with an interior; give a clip box with --box");
+}
+
+std::optional<double> finite_number(std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
 }
 
 std::vector<std::string_view> comma_separated(std::string_view text) {

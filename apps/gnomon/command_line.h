@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -50,6 +51,9 @@ bool parse_arguments(CLI::App& app, Arguments arguments);
 /// Throws: UsageError unless --box holds two finite numbers per dimension, each minimum below its maximum;
 ///         SceneError if the scene has no default box.
 Box3 clip_box(const Scene& scene, const std::string& box_option);
+
+/// The number that the whole text is; nothing if it is none, or not finite.
+std::optional<double> finite_number(std::string_view text);
 
 /// The items of a list like "a,b,c".
 std::vector<std::string_view> comma_separated(std::string_view text);

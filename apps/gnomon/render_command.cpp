@@ -1,6 +1,7 @@
 #include <charconv>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -24,21 +25,33 @@ namespace fs = std::filesystem;
 constexpr int smallest_side = 64;
 constexpr int largest_side = 16384;
 
+constexpr const char* endings = ".png, .svg (scenes of the plane), .gltf or .html";
+
 struct RenderOptions : CommonOptions {
   std::string out;
   std::string size;
+  std::string camera;
+  bool without_legend = false;
+  bool without_labels = false;
 };
 
 void add_options(CLI::App& app, RenderOptions& options) {
   add_text(app, "SCENE|DIR", options.scene, "PATH", "Scene file, or a folder written by 'gnomon shadow'")->required();
-  add_text(app, "--out", options.out, "FILE.png", "The picture, a PNG file")->required();
+  add_text(app, "--out", options.out, "FILE", std::string("The picture; its ending says what it is: ") + endings)
+      ->required();
   add_text(app, "--size", options.size, "WxH", "Width and height in pixels (default: 1280x960)");
+  add_text(app, "--camera", options.camera, "CAMERA",
+           "three-quarter (default), front, back, left, right, top or bottom; or the place x,y,z of the camera, the "
+           "place it looks at (x,y,z,fx,fy,fz), and its up direction (x,y,z,fx,fy,fz,ux,uy,uz)");
+  app.add_flag("--no-legend", options.without_legend, "Leave the legend out");
+  app.add_flag("--no-labels", options.without_labels, "Leave the names at lights, blockers, receivers and lines out");
   add_pair_options(app, options);
   app.footer(
-      "Without a screen: xvfb-run -a -s \"-screen 0 1280x1024x24 -noreset\" gnomon render ...\n\n"
+      "A page (.html) needs no network: it carries three.js, which is read from Debian's package libjs-three.\n"
+      "A PNG without a display starts a virtual one (Debian packages xvfb and libgl1-mesa-dri).\n\n"
       "Examples:\n"
-      "  gnomon render examples/figure_4_22.scene.json --out figure_4_22.png\n"
-      "  gnomon render examples/cornell_box.scene.json --blocker tall_top --out tall_top.png --size 800x600\n");
+      "  gnomon render examples/figure_4_22.scene.json --out figure_4_22.png --camera front\n"
+      "  gnomon render examples/cornell_box.scene.json --out cornell_box.gltf\n");
 }
 
 int side_from_text(std::string_view text, const std::string& option) {
@@ -50,12 +63,63 @@ int side_from_text(std::string_view text, const std::string& option) {
                    std::to_string(largest_side));
 }
 
-PictureOptions picture_options(const std::string& size) {
-  if (size.empty()) return {};
+void read_size(const std::string& size, PictureOptions& picture) {
+  if (size.empty()) return;
   const std::size_t cross = std::min(size.find('x'), size.size());
   const std::string_view text = size;
   const std::string_view height = text.substr(std::min(cross + 1, size.size()));
-  return {side_from_text(text.substr(0, cross), size), side_from_text(height, size)};
+  picture.width = side_from_text(text.substr(0, cross), size);
+  picture.height = side_from_text(height, size);
+}
+
+[[noreturn]] void refuse_camera(const std::string& camera, const std::string& why) {
+  throw UsageError("--camera " + camera + ": " + why +
+                   "; expected three-quarter, front, back, left, right, top or bottom, or 3, 6 or 9 numbers");
+}
+
+CameraPlace camera_place(const std::string& camera) {
+  std::vector<double> numbers;
+  for (const std::string_view field : comma_separated(camera)) {
+    const std::optional<double> number = finite_number(field);
+    if (!number) refuse_camera(camera, "'" + std::string(field) + "' is neither a side nor a finite number");
+    numbers.push_back(*number);
+  }
+  if (numbers.size() != 3 && numbers.size() != 6 && numbers.size() != 9) {
+    refuse_camera(camera, "found " + counted(numbers.size(), "number"));
+  }
+  const auto point = [&](std::size_t i) { return Point3{numbers[i], numbers[i + 1], numbers[i + 2]}; };
+  CameraPlace place{point(0)};
+  if (numbers.size() >= 6) place.focus = point(3);
+  if (numbers.size() == 9) place.up = point(6);
+  return place;
+}
+
+PictureOptions picture_options(const RenderOptions& options) {
+  PictureOptions picture;
+  if (!picture_format(options.out)) {
+    throw UsageError("--out " + options.out + ": expected a file that ends in " + endings);
+  }
+  read_size(options.size, picture);
+  if (options.without_legend) picture.legend = Shown::no;
+  if (options.without_labels) picture.labels = Shown::no;
+  if (options.camera.empty()) return picture;
+  const std::optional<CameraPreset> preset = camera_preset(options.camera);
+  if (preset) {
+    picture.camera = *preset;
+  } else {
+    picture.camera = camera_place(options.camera);
+  }
+  return picture;
+}
+
+/// What makes sense in space may make none in the plane, and the other way round.
+void check_dimension(const RenderOptions& options, int dimension) {
+  if (dimension == 2 && !options.camera.empty()) {
+    throw UsageError("--camera: a scene of the plane is drawn as it is; " + options.scene + " has dimension 2");
+  }
+  if (dimension == 3 && picture_format(options.out) == PictureFormat::svg) {
+    throw UnsupportedError(options.scene + ": a scene in space is not drawn as .svg; take .png, .html or .gltf");
+  }
 }
 
 ExitCode render_folder(const RenderOptions& options, const PictureOptions& picture) {
@@ -67,12 +131,14 @@ ExitCode render_folder(const RenderOptions& options, const PictureOptions& pictu
     throw SceneError(options.scene +
                      ": the folder holds no manifest.json; expected a folder written by 'gnomon shadow'");
   }
+  check_dimension(options, result_dimension(options.scene));
   render_result(options.scene, options.out, picture);
   return ExitCode::done;
 }
 
 ExitCode render_scene_file(const RenderOptions& options, const PictureOptions& picture) {
   const Scene scene = read_scene(options.scene);
+  check_dimension(options, scene.dimension);
   const std::vector<ScenePair> pairs = scene_pairs(scene, {options.light, options.blocker});
   const Box3 box = clip_box(scene, options.box);
   if (!pairs.empty() && supported_count(pairs) == 0) {
@@ -86,11 +152,13 @@ ExitCode render_scene_file(const RenderOptions& options, const PictureOptions& p
 }  // namespace
 
 ExitCode render_command(Arguments arguments) {
-  CLI::App app("Makes a picture of lights, blockers, receivers and shadow volumes.", "gnomon render");
+  CLI::App app(
+      "Makes a picture of lights, blockers, receivers and shadow volumes: pixels, a drawing, or a page that turns.",
+      "gnomon render");
   RenderOptions options;
   add_options(app, options);
   if (!parse_arguments(app, arguments)) return ExitCode::done;
-  const PictureOptions picture = picture_options(options.size);
+  const PictureOptions picture = picture_options(options);
   std::error_code error;
   const bool is_folder = fs::is_directory(options.scene, error);
   const ExitCode code = is_folder ? render_folder(options, picture) : render_scene_file(options, picture);

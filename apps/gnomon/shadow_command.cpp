@@ -13,6 +13,7 @@
 #include "apps/gnomon/merged_shadows.h"
 #include "apps/gnomon/scene_pairs.h"
 #include "apps/gnomon/shadow_json.h"
+#include "apps/gnomon/shadow_series.h"
 #include "apps/gnomon/shadow_summary.h"
 #include "apps/gnomon/text.h"
 #include "geometry/scene/scene_reader.h"
@@ -39,7 +40,10 @@ void add_options(CLI::App& app, ShadowOptions& options) {
   app.add_flag(
       "--merge", options.merge,
       "Also unite the occlusion volumes of each blocker's parts; 100 parts take seconds, time grows with the square");
-  add_text(app, "--path", options.path, "FILE", "A light that moves along a path; not available in this version");
+  add_text(app, "--path", options.path, "FILE",
+           "Move the light (--light, where there are several) along a path and write a series that ParaView plays, "
+           "DIR/shadow.pvd: CSV with the header x,y,z (x,y in the plane), then a position of the light's first vertex "
+           "a line");
   app.footer(
       "Examples:\n"
       "  gnomon shadow --out shadow_of_default\n"
@@ -59,10 +63,14 @@ std::vector<OutputFormat> formats(const std::string& list) {
 }
 
 void check_usage(const ShadowOptions& options) {
-  if (!options.path.empty()) throw UnsupportedError("--path is not available in this version");
   if (options.out.empty() && options.json.empty()) {
     throw UsageError("nothing to write: give a folder with --out, or a file with --json");
   }
+  if (options.path.empty()) return;
+  if (options.out.empty()) throw UsageError("--path writes a series into a folder: give one with --out");
+  if (!options.json.empty()) throw UsageError("--json tells one result, --path makes many; leave one of them out");
+  if (options.format != "vtm") throw UsageError("--path writes vtm files; leave --format out");
+  if (options.merge) throw UsageError("--merge does not go with --path");
 }
 
 std::string written_text(const std::string& out, const std::vector<fs::path>& files) {
@@ -105,6 +113,15 @@ ExitCode write_all(const ShadowOptions& options, const std::vector<OutputFormat>
   return ExitCode::done;
 }
 
+ExitCode write_series(const ShadowOptions& options, const Scene& scene) {
+  const WrittenSeries series = write_shadow_series(scene, options, options.path, options.out);
+  if (series.unsupported_pairs > 0) {
+    print_warning(counted(series.unsupported_pairs, "pair") + " of the series not supported, and left out");
+  }
+  if (!options.quiet) std::cout << counted(series.steps, "place") << '\n' << written_text(options.out, series.files);
+  return ExitCode::done;
+}
+
 }  // namespace
 
 ExitCode shadow_command(Arguments arguments) {
@@ -119,7 +136,7 @@ ExitCode shadow_command(Arguments arguments) {
   const std::vector<OutputFormat> output_formats = formats(options.format);
   const Scene scene =
       options.scene.empty() ? parse_scene(default_scene_text(), "default", ".") : read_scene(options.scene);
-  return write_all(options, output_formats, scene);
+  return options.path.empty() ? write_all(options, output_formats, scene) : write_series(options, scene);
 }
 
 }  // namespace gnomon

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "tests/apps/gnomon/program_fixture.h"
 
 namespace gnomon {
@@ -70,6 +72,36 @@ TEST_F(RenderedPicture, FollowsTheExamplesInTheHelp) {
     const Outcome run = gnomon(example);
     EXPECT_EQ(run.code, 0) << example << '\n' << run.err;
   }
+}
+
+TEST_F(RenderedPicture, IsMadeOnADisplayOfItsOwnWhereThereIsNone) {
+  ASSERT_EQ(gnomon("render table.scene.json --out shown.png --size 320x200").code, 0);
+  for (const std::string display : {"unset DISPLAY;", "DISPLAY=", "DISPLAY=:98765"}) {
+    const Outcome run = shell(display + " \"$GNOMON\" render table.scene.json --out own.png --size 320x200");
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(read("own.png"), read("shown.png"));
+  }
+}
+
+TEST_F(RenderedPicture, ShowsTheSceneFromTheSideAskedFor) {
+  std::set<std::string> pictures;
+  for (const std::string camera : {"three-quarter", "front", "back", "left", "right", "top", "bottom", "9,9,9",
+                                   "9,9,9,0,0,2", "9,9,9,0,0,2,1,0,0"}) {
+    const Outcome run =
+        gnomon("render examples/figure_4_22.scene.json --size 160x120 --out side.png --camera " + camera);
+    EXPECT_EQ(run.code, 0) << camera << run.err;
+    pictures.insert(read("side.png"));
+  }
+  EXPECT_THAT(pictures, SizeIs(10));
+}
+
+TEST_F(RenderedPicture, LeavesOutWhatIsNotWanted) {
+  std::set<std::string> pictures;
+  for (const std::string option : {"", "--no-legend", "--no-labels", "--no-legend --no-labels"}) {
+    EXPECT_EQ(gnomon("render table.scene.json --size 320x240 --out table.png " + option).code, 0);
+    pictures.insert(read("table.png"));
+  }
+  EXPECT_THAT(pictures, SizeIs(4));
 }
 
 TEST_F(RenderedPicture, OldOneSurvivesWhereTheNewOneCannotBeMade) {

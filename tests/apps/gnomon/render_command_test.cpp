@@ -18,12 +18,61 @@ class RenderCommand : public Program {
   }
 };
 
-TEST_F(RenderCommand, SaysWhatToDoWithoutADisplay) {
-  const Outcome run = gnomon("render table.scene.json --out table.png");
+TEST_F(RenderCommand, SaysWhatToInstallWhereThereIsNoDisplayAndNoneCanBeStarted) {
+  const Outcome run = shell("PATH=/nowhere \"$GNOMON\" render table.scene.json --out table.png");
   EXPECT_EQ(run.code, 1);
   EXPECT_THAT(run.out, IsEmpty());
-  EXPECT_THAT(run.err, AllOf(HasSubstr("display"), HasSubstr("xvfb-run")));
+  EXPECT_THAT(run.err, AllOf(HasSubstr("display"), HasSubstr("apt-get install xvfb libgl1-mesa-dri")));
   EXPECT_FALSE(exists("table.png"));
+}
+
+TEST_F(RenderCommand, NeedsNoDisplayForDrawingsModelsAndPages) {
+  for (const std::string file : {"wall.svg", "wall.gltf", "wall.html"}) {
+    const Outcome run = gnomon("render examples/figure_4_17.scene.json --out " + file);
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_TRUE(exists(file));
+  }
+  EXPECT_EQ(gnomon("render table.scene.json --out table.gltf").code, 0);
+  const auto model = read_json("table.gltf");
+  EXPECT_EQ(model.at("asset").at("version"), "2.0");
+  EXPECT_GT(model.at("meshes").size(), 4);
+}
+
+TEST_F(RenderCommand, DrawsAFolderAsItDrawsItsScene) {
+  for (const std::string scene : {"figure_4_17", "figure_4_22"}) {
+    ASSERT_EQ(gnomon("shadow examples/" + scene + ".scene.json --out shadow --quiet").code, 0);
+    ASSERT_EQ(gnomon("render shadow --out folder.gltf").code, 0);
+    ASSERT_EQ(gnomon("render examples/" + scene + ".scene.json --out scene.gltf").code, 0);
+    EXPECT_EQ(read("folder.gltf"), read("scene.gltf")) << scene;
+  }
+}
+
+TEST_F(RenderCommand, RefusesAnEndingThatIsNoFormat) {
+  for (const std::string file : {"picture", "picture.jpg", "picture.PNG", "png"}) {
+    const Outcome run = gnomon("render table.scene.json --out " + file);
+    EXPECT_EQ(run.code, 2) << file;
+    EXPECT_THAT(run.err, AllOf(HasSubstr("--out " + file), HasSubstr(".png, .svg"))) << file;
+  }
+}
+
+TEST_F(RenderCommand, EndsWith4ForALineDrawingOfSpace) {
+  const Outcome run = gnomon("render table.scene.json --out table.svg");
+  EXPECT_EQ(run.code, 4);
+  EXPECT_THAT(run.err, AllOf(HasSubstr("table.scene.json"), HasSubstr(".svg")));
+  ASSERT_EQ(gnomon("shadow table.scene.json --out shadows --quiet").code, 0);
+  EXPECT_EQ(gnomon("render shadows --out table.svg").code, 4);
+}
+
+TEST_F(RenderCommand, RefusesACameraThatIsNone) {
+  for (const std::string camera : {"above", "1,2", "1,2,3,4", "1,2,nan", "1,2,x", "''", "1,2,3,"}) {
+    const Outcome run = gnomon("render table.scene.json --out table.gltf --camera " + camera);
+    EXPECT_EQ(run.code, 2) << camera;
+    EXPECT_THAT(run.err, HasSubstr("--camera")) << camera;
+  }
+}
+
+TEST_F(RenderCommand, RefusesACameraForAScenesOfThePlane) {
+  EXPECT_EQ(gnomon("render examples/figure_4_17.scene.json --out wall.svg --camera top").code, 2);
 }
 
 TEST_F(RenderCommand, NeedsASceneAndAFileForThePicture) {

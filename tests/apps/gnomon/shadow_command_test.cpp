@@ -144,10 +144,69 @@ TEST_F(ShadowCommand, RefusesUnknownFormatsAndOptions) {
   }
 }
 
-TEST_F(ShadowCommand, SaysThatPathIsNotAvailableYet) {
-  const Outcome run = gnomon("shadow --out shadows --path way.json");
-  EXPECT_EQ(run.code, 4);
-  EXPECT_THAT(run.err, HasSubstr("not available in this version"));
+TEST_F(ShadowCommand, MovesALightAlongAPath) {
+  write("path.csv", "x,y,z\n-1,-1,4\n\n3,-1,4\n");
+  const Outcome run = gnomon("shadow table.scene.json --path path.csv --out series");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, AllOf(HasSubstr("2 places"), HasSubstr("series/shadow.pvd")));
+  EXPECT_THAT(names_in("series"),
+              testing::ElementsAre("manifest.json", "shadow.pvd", "shadow_0000", "shadow_0001", "view.py"));
+  EXPECT_THAT(read("series/shadow.pvd"), AllOf(HasSubstr("timestep=\"0\" part=\"0\" file=\"shadow_0000/shadow.vtm\""),
+                                               HasSubstr("timestep=\"1\" part=\"0\" file=\"shadow_0001/shadow.vtm\"")));
+  EXPECT_EQ(read_json("series/manifest.json").at("roots"), nlohmann::json{"shadow.pvd"});
+}
+
+TEST_F(ShadowCommand, LeavesNothingOfALongerSeries) {
+  write("long.csv", "x,y,z\n-1,-1,4\n3,-1,4\n4,-1,4\n");
+  write("short.csv", "x,y,z\n-1,-1,4\n");
+  ASSERT_EQ(gnomon("shadow table.scene.json --path long.csv --out series").code, 0);
+  ASSERT_EQ(gnomon("shadow table.scene.json --path short.csv --out series").code, 0);
+  EXPECT_THAT(names_in("series"), testing::ElementsAre("manifest.json", "shadow.pvd", "shadow_0000", "view.py"));
+}
+
+TEST_F(ShadowCommand, RefusesAPathByFileAndLineAndLeavesTheSeriesAlone) {
+  write("good.csv", "x,y,z\n-1,-1,4\n");
+  ASSERT_EQ(gnomon("shadow table.scene.json --path good.csv --out series").code, 0);
+  const std::string before = read("series/shadow.pvd");
+  const std::vector<std::pair<std::string, std::string>> bad = {
+      {"", "path.csv: found an empty file, expected the header \"x,y,z\""},
+      {"x;y;z\n", "path.csv:1: found \"x;y;z\", expected the header \"x,y,z\""},
+      {"x,y,z\n", "path.csv: found no position below the header, expected at least one"},
+      {"x,y,z\n1,2,3\n1,2\n", "path.csv:3: found 2 fields, expected 3"},
+      {"x,y,z\n1,2,three\n", "path.csv:2: z: found \"three\", expected a finite number"},
+      {"x,y,z\n1e300,1e300,1e300\n", "path.csv:2: found a position at which the vertices of lamp"}};
+  for (const auto& [text, message] : bad) {
+    write("path.csv", text);
+    const Outcome run = gnomon("shadow table.scene.json --path path.csv --out series");
+    EXPECT_EQ(run.code, 3) << text;
+    EXPECT_THAT(run.err, HasSubstr(message));
+  }
+  EXPECT_EQ(gnomon("shadow table.scene.json --path missing.csv --out series").code, 3);
+  EXPECT_EQ(read("series/shadow.pvd"), before);
+}
+
+TEST_F(ShadowCommand, MovesOneLightThatCanBeMoved) {
+  write("mixed.scene.json", mixed_scene);
+  write("path.csv", "x,y,z\n-1,-1,4\n");
+  EXPECT_THAT(gnomon("shadow mixed.scene.json --path path.csv --out series").err, HasSubstr("--light"));
+  EXPECT_EQ(gnomon("shadow mixed.scene.json --path path.csv --out series").code, 2);
+  EXPECT_EQ(gnomon("shadow mixed.scene.json --path path.csv --out series --light sun").code, 4);
+  EXPECT_EQ(gnomon("shadow mixed.scene.json --path path.csv --out series --light moon").code, 2);
+  EXPECT_FALSE(exists("series"));
+  EXPECT_EQ(gnomon("shadow mixed.scene.json --path path.csv --out series --light lamp").code, 0);
+}
+
+TEST_F(ShadowCommand, MovesALightOfThePlane) {
+  write("path.csv", "x,y\n0,8\n1,8\n2,8\n");
+  EXPECT_EQ(gnomon("shadow examples/figure_4_17.scene.json --path path.csv --out series").code, 0);
+  EXPECT_TRUE(exists("series/shadow_0002/shadow.vtm"));
+}
+
+TEST_F(ShadowCommand, RefusesWhatDoesNotGoWithAPath) {
+  write("path.csv", "x,y,z\n-1,-1,4\n");
+  for (const std::string options : {"--json -", "--out series --format obj", "--out series --merge"}) {
+    EXPECT_EQ(gnomon("shadow table.scene.json --path path.csv " + options).code, 2) << options;
+  }
 }
 
 /// An L of area 3 at height 1.

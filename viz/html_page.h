@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "viz/picture_camera.h"
+#include "viz/picture_items.h"
+#include "viz/picture_legend.h"
+#include "viz/planar_drawing.h"
+
+namespace gnomon::viz {
+
+/// A scene in space as one HTML page that turns with the mouse and needs neither a network nor another file. three.js
+/// and its OrbitControls are read from where the package libjs-three puts them, or from the folder that the
+/// environment's GNOMON_THREE_JS names, and become part of the page.
+///
+/// Throws: std::runtime_error telling what to install, if three.js is not there.
+std::string html_page(const PictureScene& scene, const PictureView& view, const Legend& legend,
+                      const std::vector<PictureLabel>& labels);
+
+/// A drawing of the plane as one HTML page; lines and elements say their names under the mouse.
+std::string html_page(const PlanarDrawing& drawing, const Legend& legend);
+
+}  // namespace gnomon::viz

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "viz/palette.h"
+#include "viz/picture_source.h"
+
+namespace gnomon::viz {
+
+/// The faces of a surface that lie in one region.
+struct RegionFacets {
+  std::string name;
+  Color color;
+  vtkSmartPointer<vtkPolyData> data;
+};
+
+/// The faces or lines across which the same derivative of the visible fraction jumps.
+struct OrderedFacets {
+  std::string name;  ///< "D0", "D1" or "D2"
+  Color color;
+  vtkSmartPointer<vtkPolyData> data;
+};
+
+/// The faces by their cell array `region`: lit, penumbra, umbra, unlit, unresolved_eee; others are left out.
+std::vector<RegionFacets> region_facets(vtkPolyData& surface);
+
+/// The faces by their cell array `discontinuity_order`, 0, 1 or 2; others are left out.
+std::vector<OrderedFacets> ordered_surfaces(vtkPolyData& surface);
+
+/// The lines by the same array.
+std::vector<OrderedFacets> ordered_lines(vtkPolyData& surface);
+
+/// The name of the plane that a cell of a volume's surface lies on, by the input elements that make it:
+/// "supporting plane: edge 2 of table, vertex 0 of lamp"; empty where the cell arrays do not tell.
+std::string plane_name(const PictureBlock& volume, vtkIdType cell);
+
+}  // namespace gnomon::viz

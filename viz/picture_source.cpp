@@ -1,0 +1,50 @@
+#include "viz/picture_source.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "viz/block.h"
+#include "viz/block_file.h"
+#include "viz/manifest.h"
+
+namespace gnomon::viz {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The scene's file name without its endings.
+std::string title(const std::string& scene) {
+  std::string name = fs::path(scene).filename().string();
+  for (const std::string ending : {".json", ".scene"}) {
+    if (name.ends_with(ending)) name.resize(name.size() - ending.size());
+  }
+  return name;
+}
+
+}  // namespace
+
+PictureSource picture_source(const ShadowResult& result) {
+  const bool complete = std::ranges::all_of(result.pairs, &PairResult::supported);
+  PictureSource source{title(result.scene->source), complete, result.scene->dimension, result.clip_box, {}};
+  for (const Block& block : shadow_blocks(result)) {
+    auto surface = vtkSmartPointer<vtkPolyData>(vtkPolyData::SafeDownCast(block.data));
+    if (surface != nullptr && !block.empty()) source.blocks.push_back({block.path, block.kind, surface});
+  }
+  return source;
+}
+
+PictureSource picture_source(const fs::path& directory) {
+  const ListedResult listed = read_manifest(directory);
+  PictureSource source{title(listed.scene), listed.complete, listed.dimension, listed.clip_box, {}};
+  for (const ListedBlock& block : listed.blocks) {
+    if (fs::path(block.file).extension() != ".vtp") continue;
+    source.blocks.push_back({block.path, block.kind, read_surface(directory / block.file)});
+  }
+  if (source.blocks.empty()) {
+    throw std::runtime_error("cannot draw " + directory.string() +
+                             ": it holds no surfaces; write it with `gnomon shadow --format vtm` or vtpc");
+  }
+  return source;
+}
+
+}  // namespace gnomon::viz

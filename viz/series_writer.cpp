@@ -1,0 +1,117 @@
+#include "viz/series_writer.h"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "geometry/errors.h"
+#include "viz/block.h"
+#include "viz/block_file.h"
+#include "viz/manifest.h"
+#include "viz/path_text.h"
+#include "viz/staged_folder.h"
+#include "viz/stale_files.h"
+#include "viz/tree_file.h"
+#include "viz/view_script.h"
+#include "viz/xml.h"
+
+namespace gnomon {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* root = "shadow.pvd";
+
+/// "shadow_0000/": as many digits as sort well, more where they are needed.
+std::string step_folder(std::size_t step) {
+  std::string digits = std::to_string(step);
+  digits.insert(0, digits.size() < 4 ? 4 - digits.size() : 0, '0');
+  return "shadow_" + digits + "/";
+}
+
+std::string number_text(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+}  // namespace
+
+struct SeriesWriter::Writing {
+  fs::path directory;
+  viz::StagedFolder folder;
+  std::vector<double> times = {};
+  std::map<std::string, std::string> first_files = {};  ///< by the block's name
+  std::string manifest = {};
+
+  /// The blocks of one time as a tree below its folder.
+  void add_tree(const ShadowResult& result, const std::vector<viz::Block>& blocks) {
+    const std::string place = step_folder(times.size());
+    std::vector<viz::TreeLeaf> leaves;
+    for (const viz::Block& block : blocks) {
+      if (block.empty()) continue;
+      const std::string file = viz::block_file_name(block);
+      viz::write_data(*block.data, folder.add(place + file));
+      leaves.push_back({block.path, file});
+      first_files.emplace(viz::joined(block.path), place + file);
+    }
+    folder.add_text(place + "shadow.vtm", viz::multiblock_xml(leaves, viz::result_fields(result)));
+  }
+
+  /// What the manifest says if this time is the last one.
+  std::string manifest_of(const ShadowResult& result, const std::vector<viz::Block>& blocks) const {
+    viz::ManifestEntries entries{{root}, folder.files(), {}};
+    entries.files.insert(entries.files.end(), {root, "view.py"});
+    for (const viz::Block& block : blocks) {
+      entries.blocks.push_back({&block, {}});
+      const auto file = first_files.find(viz::joined(block.path));
+      if (file != first_files.end()) entries.blocks.back().files.push_back(file->second);
+    }
+    return viz::manifest_text(result, entries);
+  }
+
+  std::string collection() const {
+    std::string text =
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+        "  <Collection>\n";
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      text += "    <DataSet timestep=\"" + number_text(times[i]) + "\" part=\"0\" file=\"" +
+              viz::xml_escaped(step_folder(i)) + "shadow.vtm\"/>\n";
+    }
+    return text + "  </Collection>\n</VTKFile>\n";
+  }
+};
+
+SeriesWriter::SeriesWriter(fs::path directory) : writing_(new Writing{directory, viz::StagedFolder(directory)}) {}
+
+SeriesWriter::~SeriesWriter() = default;
+
+void SeriesWriter::add(double time, const ShadowResult& result) {
+  if (result.scene == nullptr) throw PreconditionError("SeriesWriter: a result without a scene");
+  if (!writing_->times.empty() && !(writing_->times.back() < time)) {
+    throw PreconditionError("SeriesWriter: times that do not grow");
+  }
+  const std::vector<viz::Block> blocks = viz::shadow_blocks(result);
+  writing_->add_tree(result, blocks);
+  writing_->times.push_back(time);
+  writing_->manifest = writing_->manifest_of(result, blocks);
+}
+
+std::vector<fs::path> SeriesWriter::publish() {
+  if (writing_->times.empty()) throw PreconditionError("SeriesWriter: no result has been added");
+  viz::StagedFolder& folder = writing_->folder;
+  folder.add_text(root, writing_->collection());
+  folder.add_text("view.py", viz::view_script());
+  folder.add_text("manifest.json", writing_->manifest);
+  const std::vector<std::string> earlier = viz::earlier_files(writing_->directory);
+  folder.publish();
+  viz::remove_stale(writing_->directory, earlier, folder.files());
+  std::vector<fs::path> files = {root};
+  for (const std::string& file : folder.files()) {
+    if (file != root) files.emplace_back(file);
+  }
+  return files;
+}
+
+}  // namespace gnomon

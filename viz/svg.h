@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "viz/picture_legend.h"
+#include "viz/planar_drawing.h"
+
+namespace gnomon::viz {
+
+/// A drawing of the plane with its legend beside it, as the text of an SVG file. Names are titles, which viewers show
+/// under the mouse; numbers are rounded to a thousandth of a pixel. An empty legend takes no room.
+std::string svg_text(const PlanarDrawing& drawing, const Legend& legend);
+
+}  // namespace gnomon::viz
