@@ -40,6 +40,8 @@ foreach(header IN ITEMS
     geometry/spatial/shadow_volume.h
     geometry/spatial/volume_mesh.h
     geometry/visibility/blocker_set.h
+    geometry/visibility/fast_linear_visibility.h
+    geometry/visibility/fast_point_visibility.h
     geometry/visibility/fast_visibility.h
     geometry/visibility/light_visibility.h
     geometry/visibility/visibility.h
