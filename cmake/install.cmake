@@ -49,6 +49,7 @@ foreach(header IN ITEMS
     shading/lambert.h
     shading/light_irradiance.h
     shading/planar_irradiance.h
+    shading/receiver_grid.h
     viz/display.h
     viz/grid_file.h
     viz/picture.h
