@@ -41,6 +41,8 @@ foreach(header IN ITEMS
     geometry/spatial/shadow_volume.h
     geometry/spatial/volume_mesh.h
     geometry/visibility/blocker_set.h
+    geometry/visibility/fast_linear_visibility.h
+    geometry/visibility/fast_point_visibility.h
     geometry/visibility/fast_visibility.h
     geometry/visibility/light_visibility.h
     geometry/visibility/visibility.h
@@ -48,6 +50,7 @@ foreach(header IN ITEMS
     shading/lambert.h
     shading/light_irradiance.h
     shading/planar_irradiance.h
+    shading/receiver_grid.h
     viz/grid_file.h
     viz/picture.h
     viz/series_writer.h

@@ -57,6 +57,34 @@ Irradiance facet_irradiance(const SeenFacet& seen, bool two_sided, const ExactVe
   return sum;
 }
 
+Irradiance irradiance_without_size(const Light& light, const Point3& p, const Point3& normal) {
+  if (const auto* point = std::get_if<PointLight>(&light)) return point_irradiance(*point, p, normal);
+  return directional_irradiance(std::get<DirectionalLight>(light), normal);
+}
+
+/// What the fast level sees of a light, and what it gives.
+struct Received {
+  const Light& light;
+  const Point3& p;
+  const Point3& normal;
+
+  std::optional<Irradiance> operator()(FastPointVisibility& level) const {
+    const std::optional<Region> region = level.region_from(p);
+    if (!region) return std::nullopt;
+    return *region == Region::lit ? irradiance_without_size(light, p, normal) : Irradiance{};
+  }
+  std::optional<Irradiance> operator()(FastLinearVisibility& level) const {
+    const std::optional<LinearLightSeen> seen = level.seen_from(p);
+    if (!seen) return std::nullopt;
+    return linear_irradiance(std::get<LinearLight>(light), *seen, p, normal);
+  }
+  std::optional<Irradiance> operator()(FastVisibility& level) const {
+    const std::optional<LightSeen> seen = level.seen_from(p);
+    if (!seen) return std::nullopt;
+    return lambert_irradiance(*seen, normal, 1);
+  }
+};
+
 Irradiance scaled(const Irradiance& e, double strength) {
   if (strength == 0) return {};
   const double value = strength * e.value;
@@ -66,24 +94,24 @@ Irradiance scaled(const Irradiance& e, double strength) {
 }  // namespace
 
 LightIrradiance::LightIrradiance(Light light, double strength, PreparedObstacles obstacles)
-    : light_(std::move(light)), strength_(strength), obstacles_(std::move(obstacles)) {
-  if (const auto* area = std::get_if<AreaLight>(&light_)) fast_.emplace(*area, obstacles_.blockers());
-}
+    : light_(std::move(light)),
+      strength_(strength),
+      obstacles_(std::move(obstacles)),
+      fast_(fast_level(light_, obstacles_.blockers())) {}
 
 std::optional<Irradiance> LightIrradiance::fast_answer(const Point3& p, const Point3& normal) {
-  if (!fast_ || obstacles_.may_enclose(p)) return std::nullopt;
-  const std::optional<LightSeen> seen = fast_->seen_from(p);
-  if (!seen) return std::nullopt;
-  const Irradiance e = lambert_irradiance(*seen, normal, 1);
-  if (!(e.error_bound <= widest_bound)) return std::nullopt;
+  if (obstacles_.may_enclose(p)) return std::nullopt;
+  const std::optional<Irradiance> e = std::visit(Received{light_, p, normal}, fast_);
+  if (!e || !(e->error_bound <= widest_bound)) return std::nullopt;
   return e;
 }
 
 Irradiance LightIrradiance::exact_answer(const Point3& p, const Point3& normal) const {
   const VisiblePart part = exact_visible_part(light_, obstacles_.obstacles(), p);
   if (part.region == Region::umbra || part.region == Region::unlit) return {};
-  if (const auto* point = std::get_if<PointLight>(&light_)) return point_irradiance(*point, p, normal);
-  if (const auto* sun = std::get_if<DirectionalLight>(&light_)) return directional_irradiance(*sun, normal);
+  if (std::holds_alternative<PointLight>(light_) || std::holds_alternative<DirectionalLight>(light_)) {
+    return irradiance_without_size(light_, p, normal);
+  }
   if (const auto* linear = std::get_if<LinearLight>(&light_)) {
     return linear_irradiance(*linear, part.intervals, p, normal);
   }

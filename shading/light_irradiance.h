@@ -35,7 +35,7 @@ class LightIrradiance {
   Light light_;
   double strength_;
   PreparedObstacles obstacles_;
-  std::optional<FastVisibility> fast_;
+  FastLevel fast_;
 };
 
 }  // namespace gnomon

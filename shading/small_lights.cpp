@@ -27,6 +27,11 @@ Vector rounded(const Point3& p) {
   return {p.x, p.y, p.z};
 }
 
+/// The nearest doubles again.
+Vector difference(const Point3& a, const Point3& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
 Irradiance infinite() {
   return {HUGE_VAL, HUGE_VAL};
 }
@@ -70,31 +75,83 @@ Irradiance end_on(const Stretch& stretch, const Vector& normal) {
           1.01 * (cosine.error_bound * value + cosine.value * error + cosine.error_bound * error)};
 }
 
+/// What is the same for all stretches of a light that is not seen end-on.
+struct Crosswise {
+  Vector along;         ///< from the light's start to its end
+  Vector tangent;       ///< n x N, of unit normals n of the plane of light and point and N of the receiver
+  double distance = 0;  ///< of the light's line
+  double error = 0;     ///< relative
+};
+
+/// Bound. The cross product of an end and the light's direction errs by 8 u |a| |d|, which n and h pass on.
+Crosswise crosswise(const Vector& start, const Vector& along, const Vector& normal) {
+  const Vector axis = cross(start, along);
+  const double axis_length = length(axis);
+  const double along_length = length(along);
+  return {along, 1 / (axis_length * length(normal)) * cross(axis, normal), axis_length / along_length,
+          1.01 * 8 * unit * length(start) * along_length / axis_length + 16 * unit};
+}
+
+/// An end of a stretch, relative to the point, and how far it may be off.
+struct End {
+  Vector place;
+  double error = 0;
+};
+
 /// With u and v the unit vectors to the ends, n the unit normal of their plane and h the distance of the light's line,
 /// the integral is (v - u) . (n x N) / h.
-/// Bound. The cross product of an end and the light's direction errs by 8 u |a| |d|, which n and h pass on; unit
-/// vectors err by 5 u.
-Irradiance seen_across(const Stretch& stretch, const Vector& normal) {
-  const Vector a = rounded(stretch.from);
-  const Vector b = rounded(stretch.to);
-  const Vector d = rounded(stretch.to - stretch.from);
-  const Vector axis = cross(a, d);
-  const double axis_length = length(axis);
-  const double relative = 1.01 * 8 * unit * length(a) * length(d) / axis_length;
-  const Vector change = 1 / length(b) * b + -1 / length(a) * a;
-  const Vector tangent = 1 / (axis_length * length(normal)) * cross(axis, normal);
-  const double factor = length(d) / axis_length;
-  const double value = factor * dot(change, tangent);
-  const double error = factor * (20 * unit + length_above(change) * (relative + 16 * unit));
-  const double bound = 1.01 * (error + std::fabs(value) * (relative + 16 * unit));
+/// Bound. Unit vectors err by 5 u and by twice what their ends are off in parts of their length.
+Irradiance seen_across(const End& a, const End& b, const Crosswise& light) {
+  const double a_length = length(a.place);
+  const double b_length = length(b.place);
+  const Vector change = 1 / b_length * b.place + -1 / a_length * a.place;
+  const double value = dot(change, light.tangent) / light.distance;
+  const double ends = 2.1 * (a.error / a_length + b.error / b_length) + 20 * unit;
+  const double error = (ends + length_above(change) * light.error) / light.distance;
+  const double bound = 1.01 * (error + std::fabs(value) * light.error);
   return {std::fmax(value, 0), bound >= 0 ? bound : HUGE_VAL};
+}
+
+Irradiance seen_across(const Stretch& stretch, const Vector& normal) {
+  const Vector from = rounded(stretch.from);
+  const Vector to = rounded(stretch.to);
+  return seen_across({from}, {to}, crosswise(from, rounded(stretch.to - stretch.from), normal));
+}
+
+/// Bound. The product and the sum are rounded: 3 u of the light's length and of the start, in each coordinate.
+End end_of(const StretchEnd& end, const Vector& start, const Vector& along) {
+  const double size = length_above(start) + length_above(along);
+  return {start + end.share * along, end.error * length_above(along) + 6 * unit * size};
+}
+
+/// A stretch is cut where its height over the horizon is about 0. Bound. Between the cut and the horizon, heights are
+/// no more than what rounding makes of them, the cosine is the height over the distance, and distances are at least h.
+Irradiance above_horizon(End from, End to, const Crosswise& light, const Vector& normal) {
+  const double normal_length = length(normal);
+  const double from_height = dot(normal, from.place) / normal_length;
+  const double to_height = dot(normal, to.place) / normal_length;
+  const double size = length_above(from.place) + length_above(to.place);
+  const double error = 2 * (from.error + to.error) + 16 * unit * size;
+  if (from_height < -error && to_height < -error) return {};
+  const double h = light.distance * (1 - light.error);
+  const double cut_error = error * length_above(light.along) / (h * h * h);
+  if (from_height > error && to_height > error) return seen_across(from, to, light);
+  if (from_height <= 0 && to_height <= 0) return {0, 1.01 * cut_error};
+  if (from_height < 0 || to_height < 0) {
+    const double share = from_height / (from_height - to_height);
+    const Vector cut = from.place + share * (to.place + -1 * from.place);
+    (from_height < 0 ? from : to) = {cut, from.error + to.error + 6 * unit * size};
+  }
+  Irradiance part = seen_across(from, to, light);
+  part.error_bound += 1.01 * cut_error;
+  return part;
 }
 
 }  // namespace
 
 Irradiance point_irradiance(const PointLight& light, const Point3& p, const Point3& normal) {
   if (light.position == p) return infinite();
-  const Vector d = rounded(exact(light.position) - exact(p));
+  const Vector d = difference(light.position, p);
   return cosine_over(rounded(normal), d, dot(d, d));
 }
 
@@ -115,6 +172,23 @@ Irradiance linear_irradiance(const LinearLight& light, std::span<const std::arra
     sum.value += part.value;
     sum.error_bound += part.error_bound + 2 * unit * sum.value;
   }
+  return sum;
+}
+
+Irradiance linear_irradiance(const LinearLight& light, const LinearLightSeen& seen, const Point3& p,
+                             const Point3& normal) {
+  const Vector start = difference(light.start, p);
+  const Vector along = difference(light.end, light.start);
+  const Vector n = rounded(normal);
+  const Crosswise across = crosswise(start, along, n);
+  Irradiance sum;
+  for (const VisibleStretch& stretch : seen.visible) {
+    const Irradiance part =
+        above_horizon(end_of(stretch.from, start, along), end_of(stretch.to, start, along), across, n);
+    sum.value += part.value;
+    sum.error_bound += part.error_bound + 2 * unit * sum.value;
+  }
+  if (!(sum.error_bound < HUGE_VAL) || !(sum.value < HUGE_VAL)) return infinite();
   return sum;
 }
 

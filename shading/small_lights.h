@@ -7,6 +7,7 @@
 
 #include "geometry/kernel.h"
 #include "geometry/spatial/light.h"
+#include "geometry/visibility/fast_linear_visibility.h"
 #include "shading/irradiance.h"
 
 namespace gnomon {
@@ -26,5 +27,11 @@ Irradiance directional_irradiance(const DirectionalLight& light, const Point3& n
 /// After:      [PA90] §3, in closed form.
 Irradiance linear_irradiance(const LinearLight& light, std::span<const std::array<Rational, 2>> intervals,
                              const Point3& p, const Point3& normal);
+
+/// The same of what the fast level sees: in doubles, with an error bound that may be infinite.
+///
+/// Requires: p off the light's line.
+Irradiance linear_irradiance(const LinearLight& light, const LinearLightSeen& seen, const Point3& p,
+                             const Point3& normal);
 
 }  // namespace gnomon

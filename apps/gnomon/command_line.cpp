@@ -122,6 +122,28 @@ std::vector<std::string_view> comma_separated(std::string_view text) {
   return fields;
 }
 
+template <std::size_t N>
+std::array<std::uint32_t, N> whole_numbers(const std::string& option, const std::string& text,
+                                           const std::string& expected) {
+  constexpr std::size_t most = 1'000'000'000;
+  const std::vector<std::string_view> fields = comma_separated(text);
+  std::array<std::uint32_t, N> numbers{};
+  bool good = fields.size() == N;
+  std::size_t product = 1;
+  for (std::size_t i = 0; good && i < N; ++i) {
+    const char* end = fields[i].data() + fields[i].size();
+    const auto [stop, error] = std::from_chars(fields[i].data(), end, numbers[i]);
+    good = error == std::errc() && stop == end && numbers[i] > 0 && numbers[i] <= most / product;
+    product *= numbers[i];
+  }
+  if (good) return numbers;
+  throw UsageError(option + ' ' + text + ": expected " + (N == 2 ? "two" : "three") + " positive whole numbers " +
+                   expected + " with at most " + std::to_string(most) + " points");
+}
+
+template std::array<std::uint32_t, 2> whole_numbers<2>(const std::string&, const std::string&, const std::string&);
+template std::array<std::uint32_t, 3> whole_numbers<3>(const std::string&, const std::string&, const std::string&);
+
 std::string_view nearest_word(std::string_view word, std::span<const std::string_view> candidates) {
   return *std::min_element(candidates.begin(), candidates.end(),
                            [word](auto a, auto b) { return edit_distance(word, a) < edit_distance(word, b); });

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -57,6 +59,14 @@ std::optional<double> finite_number(std::string_view text);
 
 /// The items of a list like "a,b,c".
 std::vector<std::string_view> comma_separated(std::string_view text);
+
+/// N positive whole numbers separated by commas, with a product of at most a billion: the numbers of points along the
+/// sides of a grid. `option` and `expected` are how messages call the option and its form.
+///
+/// Throws: UsageError for another text.
+template <std::size_t N>
+std::array<std::uint32_t, N> whole_numbers(const std::string& option, const std::string& text,
+                                           const std::string& expected);
 
 /// The candidate that differs from `word` by the fewest letters.
 ///

@@ -50,7 +50,7 @@ void print_error(std::string_view text) {
 Progress::Progress(std::string task, std::size_t total, Visibility visibility)
     : task_(std::move(task)),
       total_(total),
-      shown_(visibility == Visibility::automatic && isatty(STDERR_FILENO) != 0 && total > 1) {
+      shown_(visibility == Visibility::automatic && isatty(STDERR_FILENO) != 0 && total != 1) {
   if (shown_) print();
 }
 
@@ -58,14 +58,23 @@ Progress::~Progress() {
   if (shown_) std::cerr << "\r\033[K" << std::flush;
 }
 
-void Progress::step() {
-  const std::lock_guard lock(mutex_);
-  ++done_;
-  if (shown_) print();
+void Progress::step(std::size_t count) {
+  done_ += count;
+  if (!shown_) return;
+  const std::unique_lock lock(mutex_, std::try_to_lock);
+  if (lock && std::chrono::steady_clock::now() >= next_print_) print();
 }
 
-void Progress::print() const {
-  std::cerr << '\r' << task_ << ' ' << done_ << " of " << total_ << "\033[K" << std::flush;
+void Progress::print() {
+  std::cerr << '\r' << task_ << ' ' << done_;
+  if (total_ > 0) std::cerr << " of " << total_;
+  std::cerr << "\033[K" << std::flush;
+  next_print_ = std::chrono::steady_clock::now() + std::chrono::milliseconds(100);
+}
+
+Progress::Visibility progress_visibility(bool quiet, bool results_on_stdout) {
+  const bool spoils = results_on_stdout && isatty(STDOUT_FILENO) != 0;
+  return quiet || spoils ? Progress::Visibility::hidden : Progress::Visibility::automatic;
 }
 
 }  // namespace gnomon

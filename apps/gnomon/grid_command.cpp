@@ -1,6 +1,5 @@
 #include <array>
 #include <atomic>
-#include <charconv>
 #include <iostream>
 #include <string>
 #include <utility>
@@ -8,6 +7,7 @@
 
 #include "apps/gnomon/command_line.h"
 #include "apps/gnomon/commands.h"
+#include "apps/gnomon/console.h"
 #include "apps/gnomon/point_batches.h"
 #include "apps/gnomon/region_finder.h"
 #include "apps/gnomon/text.h"
@@ -21,9 +21,6 @@ struct GridOptions : CommonOptions {
   std::string shape;
   std::string out;
 };
-
-/// As many points fit into memory without a thought: 17 bytes for each light.
-constexpr std::size_t most_points = 1'000'000'000;
 
 void add_options(CLI::App& app, GridOptions& options) {
   add_text(app, "SCENE", options.scene, "FILE", "Scene file")->required();
@@ -43,31 +40,14 @@ void add_options(CLI::App& app, GridOptions& options) {
       "  gnomon grid examples/cornell_box.scene.json --shape 12,12,12 --light ceiling_lamp --out room.vti\n");
 }
 
-std::array<std::uint32_t, 3> shape_from_text(const std::string& text) {
-  const std::vector<std::string_view> fields = comma_separated(text);
-  std::array<std::uint32_t, 3> shape{};
-  bool good = fields.size() == 3;
-  std::size_t points = 1;
-  for (std::size_t i = 0; good && i < 3; ++i) {
-    const char* end = fields[i].data() + fields[i].size();
-    const auto [stop, error] = std::from_chars(fields[i].data(), end, shape[i]);
-    good = error == std::errc() && stop == end && shape[i] > 0 && shape[i] <= most_points / points;
-    points *= shape[i];
-  }
-  if (!good) {
-    throw UsageError("--shape " + text + ": expected three positive whole numbers nx,ny,nz with at most " +
-                     std::to_string(most_points) + " points");
-  }
-  return shape;
-}
-
-std::vector<GridValues> grid_values(const PointGrid& grid, const RegionFinder& finder, unsigned threads) {
+std::vector<GridValues> grid_values(const PointGrid& grid, const RegionFinder& finder, const GridOptions& options) {
   std::vector<GridValues> values;
   for (const std::string& light : finder.lights) {
     values.push_back({finder.lights.size() > 1 ? '_' + light : "", std::vector<std::uint8_t>(grid.size()),
                       std::vector<double>(grid.size()), std::vector<double>(grid.size())});
   }
-  tbb::task_arena arena(arena_size(threads));
+  tbb::task_arena arena(arena_size(options.threads));
+  Progress progress("point", grid.size(), progress_visibility(options.quiet, false));
   for_all(grid.size(), arena, [&](std::size_t i) {
     const Point3 p = grid.point(i);
     const std::vector<Visibility> seen = finder.at({p.x, p.y, p.z});
@@ -76,6 +56,7 @@ std::vector<GridValues> grid_values(const PointGrid& grid, const RegionFinder& f
       values[l].visible_fraction[i] = seen[l].fraction;
       values[l].error_bound[i] = seen[l].error_bound;
     }
+    progress.step();
   });
   return values;
 }
@@ -90,11 +71,11 @@ ExitCode grid_command(Arguments arguments) {
   GridOptions options;
   add_options(app, options);
   if (!parse_arguments(app, arguments)) return ExitCode::done;
-  const std::array<std::uint32_t, 3> shape = shape_from_text(options.shape);
+  const std::array<std::uint32_t, 3> shape = whole_numbers<3>("--shape", options.shape, "nx,ny,nz");
   const Scene scene = read_scene(options.scene);
   const RegionFinder finder = region_finder(scene, options.light);
   const PointGrid grid = PointGrid::in_box(shape, clip_box(scene, options.box));
-  write_grid(grid, grid_values(grid, finder, options.threads), scene, options.out);
+  write_grid(grid, grid_values(grid, finder, options), scene, options.out);
   if (!options.quiet) std::cout << options.out << ": " << counted(grid.size(), "point") << '\n';
   return ExitCode::done;
 }

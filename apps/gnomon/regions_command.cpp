@@ -89,6 +89,7 @@ ExitCode write_regions(const RegionsOptions& options, const Scene& scene, std::i
   RegionCounts counts(finder.lights);
   tbb::task_arena threads(arena_size(options.threads));
   if (finder.lights.empty()) print_warning("the scene has no light");
+  Progress progress("point", 0, progress_visibility(options.quiet, options.out.empty()));
   for (auto rows = judged_batch(table, finder, threads); !rows.empty(); rows = judged_batch(table, finder, threads)) {
     for (const JudgedRow& judged : rows) {
       counts.add(judged);
@@ -98,6 +99,7 @@ ExitCode write_regions(const RegionsOptions& options, const Scene& scene, std::i
     }
     // Who reads a pipe gets every batch; who went away need not be served.
     finish_stdout();
+    progress.step(rows.size());
   }
   outputs.publish(counts);
   if (!options.quiet && !options.out.empty() && options.json != "-") std::cout << counts.text();

@@ -23,6 +23,13 @@ struct LightPyramid {
   sight::LightPlane base;
 };
 
+/// The segment between two points, or the ray from the first in a direction.
+struct SightLine {
+  Point3 from;
+  Point3 to;  ///< its end, or the ray's direction
+  bool ends = true;
+};
+
 struct BlockerSet::Content {
   /// A blocker. A flat one has its corners in `points` and the names of their edges in `names`.
   struct Shape {
@@ -42,6 +49,12 @@ struct BlockerSet::Content {
   /// Replaces `found` by the indices, ascending, of every blocker that has a point in the pyramid, and some others.
   /// Exactness: a box is left out only where its distance exceeds all that may have been rounded.
   void collect(const LightPyramid& pyramid, std::vector<std::uint32_t>& found) const;
+
+  /// The same for a line of sight, in any order.
+  void collect_along(const SightLine& line, std::vector<std::uint32_t>& found) const;
+
+  /// Replaces `found` by all blockers.
+  void collect_all(std::vector<std::uint32_t>& found) const;
 };
 
 }  // namespace gnomon

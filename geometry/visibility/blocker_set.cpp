@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "geometry/visibility/blocker_content.h"
 #include "geometry/visibility/box_tree.h"
@@ -72,13 +73,21 @@ std::size_t BlockerSet::size() const {
 }
 
 void BlockerSet::Content::collect(const LightPyramid& pyramid, std::vector<std::uint32_t>& found) const {
+  if (!tree) return collect_all(found);
   found.clear();
-  if (tree) {
-    append_boxes_in(*tree, pyramid, found);
-    std::sort(found.begin(), found.end());
-    return;
-  }
-  for (std::uint32_t i = 0; i < shapes.size(); ++i) found.push_back(i);
+  append_boxes_in(*tree, pyramid, found);
+  std::sort(found.begin(), found.end());
+}
+
+void BlockerSet::Content::collect_along(const SightLine& line, std::vector<std::uint32_t>& found) const {
+  if (!tree) return collect_all(found);
+  found.clear();
+  append_boxes_along(*tree, line, found);
+}
+
+void BlockerSet::Content::collect_all(std::vector<std::uint32_t>& found) const {
+  found.resize(shapes.size());
+  std::iota(found.begin(), found.end(), 0U);
 }
 
 }  // namespace gnomon

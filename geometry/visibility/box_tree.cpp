@@ -52,17 +52,46 @@ bool may_meet(const CGAL::Bbox_3& box, const LightPyramid& pyramid) {
   return -nearest.value <= pyramid.base.height + pyramid.base.height_error + bound;
 }
 
+/// A line of sight, as shares of the way along it.
+struct Way {
+  Point3 from;
+  sight::Vector step;
+  double last = 1;  ///< share at which it ends
+};
+
+/// Cuts the shares to those in a slab. Bound. Differences and quotient are rounded: 3 u of a share, and what
+/// underflows. False if none is left.
+bool cut_to_slab(double low, double high, double step, double& first, double& last) {
+  if (step == 0) return low <= 0 && high >= 0;
+  const double a = low / step;
+  const double b = high / step;
+  const double enter = std::min(a, b);
+  const double leave = std::max(a, b);
+  first = std::max(first, enter - 8 * sight::unit * std::fabs(enter) - sight::tiny);
+  last = std::min(last, leave + 8 * sight::unit * std::fabs(leave) + sight::tiny);
+  return first <= last;
+}
+
+bool may_meet(const CGAL::Bbox_3& box, const Way& way) {
+  double first = 0;
+  double last = way.last;
+  return cut_to_slab(box.xmin() - way.from.x, box.xmax() - way.from.x, way.step.x, first, last) &&
+         cut_to_slab(box.ymin() - way.from.y, box.ymax() - way.from.y, way.step.y, first, last) &&
+         cut_to_slab(box.zmin() - way.from.z, box.zmax() - way.from.z, way.step.z, first, last);
+}
+
 /// CGAL's way of asking: which nodes to enter, and what to do with the primitives below.
+template <class Query>
 struct Search {
   std::vector<std::uint32_t>& found;
 
   bool go_further() const { return true; }
-  void intersection(const LightPyramid& pyramid, const NamedBox& box) {
-    if (may_meet(box.datum().bbox(), pyramid)) found.push_back(box.id());
+  void intersection(const Query& query, const NamedBox& box) {
+    if (may_meet(box.datum().bbox(), query)) found.push_back(box.id());
   }
   template <class Node>
-  bool do_intersect(const LightPyramid& pyramid, const Node& node) const {
-    return may_meet(node.bbox(), pyramid);
+  bool do_intersect(const Query& query, const Node& node) const {
+    return may_meet(node.bbox(), query);
   }
 };
 
@@ -75,9 +104,10 @@ class BoxTree {
     tree_.build();
   }
 
-  void search(const LightPyramid& pyramid, std::vector<std::uint32_t>& found) const {
-    Search search{found};
-    tree_.traversal(pyramid, search);
+  template <class Query>
+  void search(const Query& query, std::vector<std::uint32_t>& found) const {
+    Search<Query> search{found};
+    tree_.traversal(query, search);
   }
 
  private:
@@ -97,6 +127,11 @@ std::shared_ptr<const BoxTree> box_tree(std::span<const Box3> boxes) {
 
 void append_boxes_in(const BoxTree& tree, const LightPyramid& pyramid, std::vector<std::uint32_t>& found) {
   tree.search(pyramid, found);
+}
+
+void append_boxes_along(const BoxTree& tree, const SightLine& line, std::vector<std::uint32_t>& found) {
+  const Point3 origin = line.ends ? line.from : Point3{0, 0, 0};
+  tree.search(Way{line.from, sight::operator-(line.to, origin), line.ends ? 1 : HUGE_VAL}, found);
 }
 
 }  // namespace gnomon

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A hierarchy over boxes, searched with a pyramid. Private to this folder.
+/// A hierarchy over boxes, searched with a pyramid or a line. Private to this folder.
 
 #include <cstdint>
 #include <memory>
@@ -17,5 +17,10 @@ std::shared_ptr<const BoxTree> box_tree(std::span<const Box3> boxes);
 /// Appends the names of all boxes that meet the pyramid, and of some others, in no order.
 /// Exactness: conservative.
 void append_boxes_in(const BoxTree& tree, const LightPyramid& pyramid, std::vector<std::uint32_t>& found);
+
+/// Appends the names of all boxes that meet the line, and of some others, in no order.
+/// Requires:  coordinates of at most 1e30.
+/// Exactness: conservative.
+void append_boxes_along(const BoxTree& tree, const SightLine& line, std::vector<std::uint32_t>& found);
 
 }  // namespace gnomon

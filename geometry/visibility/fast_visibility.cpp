@@ -24,8 +24,7 @@ class FastVisibility::Work {
   std::optional<LightSeen> seen_from(const Point3& point);
 
  private:
-  bool gather(const Point3& apex, bool reversed);
-  Seen look_at(OutlineBuilder& builder, std::uint32_t blocker) const;
+  Gathered gather(const Point3& apex, bool reversed);
   LightPlane plane_from(const Point3& apex, bool reversed) const;
   void walk(const Point3& apex);
   void append_stretches_inside(BoundaryWalk& walk, const Outline& outline);
@@ -45,7 +44,6 @@ class FastVisibility::Work {
 
   LightPlane plane_;
   Outlines outlines_;
-  bool covered_ = false;
   std::vector<std::uint32_t> candidates_;
   std::vector<Piece> inside_;   ///< of the blockers' edges, inside the light
   std::vector<Piece> visible_;  ///< what is not covered of those and of the light's edges
@@ -56,29 +54,10 @@ class FastVisibility::Work {
 
 namespace {
 
-/// Two coordinates in which a plane with this normal does not collapse.
-void keep_two(LightPlane& plane) {
-  const Vector n{std::fabs(plane.normal.x), std::fabs(plane.normal.y), std::fabs(plane.normal.z)};
-  const int dropped = n.x >= n.y && n.x >= n.z ? 0 : n.y >= n.z ? 1 : 2;
-  plane.u = dropped == 0 ? 1 : 0;
-  plane.v = dropped == 2 ? 1 : 2;
-}
-
 /// The plane of a light through three corners that are far apart.
 LightPlane base_plane(std::span<const Point3> corners) {
   const std::size_t third = corners.size() / 3;
-  const Vector a = corners[third] - corners[0];
-  const Vector b = corners[2 * third] - corners[0];
-  LightPlane plane;
-  plane.normal = cross(a, b);
-  plane.error = 8.6 * unit * size_of(a) * size_of(b) + tiny;
-  plane.size = size_of(plane.normal) + plane.error;
-  keep_two(plane);
-  return plane;
-}
-
-bool in_range(const Point3& p) {
-  return std::max(std::max(std::fabs(p.x), std::fabs(p.y)), std::fabs(p.z)) <= largest;
+  return light_plane(corners[0], corners[third], corners[2 * third]);
 }
 
 SightDirection directed(const Plane& plane, bool reversed) {
@@ -117,7 +96,7 @@ FastVisibility::Work::Work(const AreaLight& light, BlockerSet blockers)
   }
   base_ = base_plane(corners_);
   light_area_ = flat_area(corners_, base_.u, base_.v);
-  in_range_ = std::all_of(corners_.begin(), corners_.end(), in_range) && blockers_.content().largest <= largest;
+  in_range_ = std::all_of(corners_.begin(), corners_.end(), is_in_range) && blockers_.content().largest <= largest;
 }
 
 /// Seen from the front the base's normal points towards the apex: depth grows against it.
@@ -131,28 +110,12 @@ LightPlane FastVisibility::Work::plane_from(const Point3& apex, bool reversed) c
   return plane;
 }
 
-Seen FastVisibility::Work::look_at(OutlineBuilder& builder, std::uint32_t blocker) const {
-  const BlockerSet::Content& content = blockers_.content();
-  const BlockerSet::Content::Shape& shape = content.shapes[blocker];
-  if (shape.solid >= 0) return builder.append_solid(content.solids[static_cast<std::size_t>(shape.solid)], blocker);
-  const std::span<const std::uint32_t> names{content.names.data() + shape.first, shape.count};
-  return builder.append_flat(content.corners(shape), names, blocker);
-}
-
-/// Outlines the light and what may hide it. False: not decided here.
-bool FastVisibility::Work::gather(const Point3& apex, bool reversed) {
+/// Outlines the light and what may hide it.
+Gathered FastVisibility::Work::gather(const Point3& apex, bool reversed) {
   plane_ = plane_from(apex, reversed);
-  covered_ = false;
   OutlineBuilder builder(apex, corners_, names_, reversed, plane_, outlines_);
-  blockers_.content().collect({apex, outlines_.planes_of(outlines_.list.front()), plane_}, candidates_);
-  bool decided = true;
-  for (const std::uint32_t candidate : candidates_) {
-    const Seen seen = look_at(builder, candidate);
-    covered_ = seen == Seen::covers;
-    if (covered_) return true;
-    decided = decided && seen != Seen::undecided;
-  }
-  return decided;
+  blockers_.content().collect({apex, outlines_.sides, plane_}, candidates_);
+  return builder.append_blockers(blockers_.content(), candidates_);
 }
 
 /// The parts of the outline's edges inside the light; they are what makes it hide something.
@@ -240,12 +203,13 @@ LightSeen FastVisibility::Work::visible_part() {
 }
 
 std::optional<LightSeen> FastVisibility::Work::seen_from(const Point3& point) {
-  if (!flat_ || !in_range_ || !in_range(point)) return std::nullopt;
+  if (!flat_ || !in_range_ || !is_in_range(point)) return std::nullopt;
   boundary_.clear();
   const int front = exact_orientation(corners_[0], corners_[1], corners_[2], point);
   if (front == 0 || (front < 0 && !two_sided_)) return LightSeen{Region::unlit, 0, 0, {}, {}};
-  if (!gather(point, front > 0)) return std::nullopt;
-  if (covered_) return LightSeen{Region::umbra, 0, 0, {}, {}};
+  const Gathered gathered = gather(point, front > 0);
+  if (gathered == Gathered::undecided) return std::nullopt;
+  if (gathered == Gathered::covered) return LightSeen{Region::umbra, 0, 0, {}, {}};
   walk(point);
   for (const Piece& piece : visible_) boundary_.push_back(boundary_piece(piece));
   if (inside_.empty()) return bounded(Region::lit, 1, 0);

@@ -23,6 +23,19 @@ bool is_within(const Box3& box, const Point3& p) {
          p.z <= box.max.z;
 }
 
+std::optional<Visibility> visibility(FastPointVisibility& level, const Point3& p) {
+  const std::optional<Region> region = level.region_from(p);
+  if (!region) return std::nullopt;
+  return Visibility{*region, *region == Region::lit ? 1.0 : 0.0, 0};
+}
+
+template <class Level>
+std::optional<Visibility> visibility(Level& level, const Point3& p) {
+  const auto seen = level.seen_from(p);
+  if (!seen) return std::nullopt;
+  return Visibility{seen->region, seen->fraction, seen->error_bound};
+}
+
 }  // namespace
 
 PreparedObstacles::PreparedObstacles(Obstacles obstacles)
@@ -36,16 +49,21 @@ bool PreparedObstacles::may_enclose(const Point3& p) const {
   return std::any_of(enclosures_.begin(), enclosures_.end(), [&](const Box3& box) { return is_within(box, p); });
 }
 
-LightVisibility::LightVisibility(Light light, PreparedObstacles obstacles)
-    : light_(std::move(light)), obstacles_(std::move(obstacles)) {
-  if (const auto* area = std::get_if<AreaLight>(&light_)) fast_.emplace(*area, obstacles_.blockers());
+FastLevel fast_level(const Light& light, const BlockerSet& blockers) {
+  if (const auto* point = std::get_if<PointLight>(&light)) return FastPointVisibility(*point, blockers);
+  if (const auto* sun = std::get_if<DirectionalLight>(&light)) return FastPointVisibility(*sun, blockers);
+  if (const auto* linear = std::get_if<LinearLight>(&light)) return FastLinearVisibility(*linear, blockers);
+  return FastVisibility(std::get<AreaLight>(light), blockers);
 }
 
+LightVisibility::LightVisibility(Light light, PreparedObstacles obstacles)
+    : light_(std::move(light)), obstacles_(std::move(obstacles)), fast_(fast_level(light_, obstacles_.blockers())) {}
+
 std::optional<Visibility> LightVisibility::fast_answer(const Point3& p) {
-  if (!fast_ || obstacles_.may_enclose(p)) return std::nullopt;
-  const std::optional<LightSeen> seen = fast_->seen_from(p);
+  if (obstacles_.may_enclose(p)) return std::nullopt;
+  const std::optional<Visibility> seen = std::visit([&](auto& level) { return visibility(level, p); }, fast_);
   if (!seen || seen->error_bound > widest_bound) return std::nullopt;
-  return Visibility{seen->region, seen->fraction, seen->error_bound};
+  return seen;
 }
 
 Visibility LightVisibility::at(const Point3& p) {

@@ -2,8 +2,11 @@
 
 #include <memory>
 #include <optional>
+#include <variant>
 #include <vector>
 
+#include "geometry/visibility/fast_linear_visibility.h"
+#include "geometry/visibility/fast_point_visibility.h"
 #include "geometry/visibility/fast_visibility.h"
 #include "geometry/visibility/visibility.h"
 
@@ -25,6 +28,11 @@ class PreparedObstacles {
   BlockerSet blockers_;
   std::vector<Box3> enclosures_;
 };
+
+/// The fast level for any light.
+using FastLevel = std::variant<FastPointVisibility, FastLinearVisibility, FastVisibility>;
+
+FastLevel fast_level(const Light& light, const BlockerSet& blockers);
 
 /// What points see of one light: asked at the fast level, and at the exact level where that one does not decide.
 ///
@@ -48,7 +56,7 @@ class LightVisibility {
 
   Light light_;
   PreparedObstacles obstacles_;
-  std::optional<FastVisibility> fast_;
+  FastLevel fast_;
   std::size_t exact_answers_ = 0;
 };
 

@@ -54,8 +54,10 @@ struct Outlines {
   std::vector<Plane> planes;
   std::vector<FlatBox> boxes;  ///< of each ray's point on the light's plane
   std::vector<Outline> list;
+  std::vector<Plane> sides;  ///< of the pyramid over the light, positive side inside
 
   void clear() {
+    sides.clear();
     rays.clear();
     planes.clear();
     boxes.clear();
@@ -82,6 +84,9 @@ struct LightPlane {
     return 3.1 * (size * direction_error + error * direction_size) + 9.5 * unit * size * direction_size + tiny;
   }
 };
+
+/// The plane through three points; no height.
+LightPlane light_plane(const Point3& a, const Point3& b, const Point3& c);
 
 inline double coordinate(const Vector& a, int axis) {
   return axis == 0 ? a.x : axis == 1 ? a.y : a.z;

@@ -1,6 +1,7 @@
 #include "geometry/visibility/outline_builder.h"
 
 #include <algorithm>
+#include <array>
 
 #include "geometry/spatial/orientation.h"
 
@@ -41,11 +42,55 @@ std::vector<SilhouetteEdge> silhouette(const Point3& apex, const ConvexSolid& so
 OutlineBuilder::OutlineBuilder(const Point3& apex, std::span<const Point3> light_corners,
                                std::span<const std::uint32_t> names, bool reversed, const LightPlane& plane,
                                Outlines& outlines)
-    : apex_(apex), light_corners_(light_corners), plane_(plane), outlines_(outlines) {
+    : apex_(apex),
+      extent_(Extent::area),
+      light_corners_(light_corners),
+      depth_corners_(light_corners),
+      plane_(plane),
+      outlines_(outlines) {
   outlines_.clear();
   append_rays(light_corners, reversed);
   append_planes(names, reversed);
+  outlines_.sides.assign(outlines_.planes.begin(), outlines_.planes.end());
   finished(0);
+}
+
+/// The outline has two rays and the plane through both, one way and the other. The pyramid's other sides stand upright
+/// on it.
+OutlineBuilder::OutlineBuilder(const Point3& apex, std::span<const Point3, 3> ends, const LightPlane& plane,
+                               Outlines& outlines)
+    : apex_(apex),
+      extent_(Extent::length),
+      light_corners_(ends.first<2>()),
+      depth_corners_(ends),
+      plane_(plane),
+      outlines_(outlines) {
+  constexpr std::array<std::uint32_t, 2> names = {0, 0};
+  outlines_.clear();
+  append_rays(light_corners_, false);
+  append_planes(names, false);
+  const Ray beside = ray_through(apex, ends[2]);
+  outlines_.sides = {outlines_.planes[0], outlines_.planes[1], plane_through(beside, outlines_.rays[0], 0),
+                     plane_through(outlines_.rays[1], beside, 0)};
+  finished(0);
+}
+
+Seen OutlineBuilder::look_at(const BlockerSet::Content& blockers, std::uint32_t blocker) {
+  const BlockerSet::Content::Shape& shape = blockers.shapes[blocker];
+  if (shape.solid >= 0) return append_solid(blockers.solids[static_cast<std::size_t>(shape.solid)], blocker);
+  const std::span<const std::uint32_t> names{blockers.names.data() + shape.first, shape.count};
+  return append_flat(blockers.corners(shape), names, blocker);
+}
+
+Gathered OutlineBuilder::append_blockers(const BlockerSet::Content& blockers,
+                                         std::span<const std::uint32_t> candidates) {
+  Gathered result = Gathered::outlined;
+  for (const std::uint32_t candidate : candidates) {
+    const Seen seen = look_at(blockers, candidate);
+    if (seen == Seen::covers) return Gathered::covered;
+    if (seen == Seen::undecided) result = Gathered::undecided;
+  }
+  return result;
 }
 
 void OutlineBuilder::append_rays(std::span<const Point3> corners, bool reversed) {
@@ -78,7 +123,7 @@ Seen OutlineBuilder::dropped() {
 }
 
 bool OutlineBuilder::certainly_outside() const {
-  for (const Plane& plane : outlines_.planes_of(outlines_.list.front())) {
+  for (const Plane& plane : outlines_.sides) {
     bool outside = true;
     for (std::size_t k = first_; outside && k < outlines_.rays.size(); ++k) {
       const Ray& ray = outlines_.rays[k];
@@ -105,7 +150,7 @@ OutlineBuilder::Depth OutlineBuilder::depth_of(std::span<const Ray> rays) const 
     int sign = left > error ? 1 : left < -error ? -1 : 0;
     if (sign == 0) {
       const auto side_of = [&](const Point3& p) {
-        return exact_orientation(light_corners_[0], light_corners_[1], light_corners_[2], p);
+        return exact_orientation(depth_corners_[0], depth_corners_[1], depth_corners_[2], p);
       };
       if (apex_side == 0) apex_side = side_of(apex_);
       sign = apex_side * side_of(*ray.point);
@@ -115,6 +160,27 @@ OutlineBuilder::Depth OutlineBuilder::depth_of(std::span<const Ray> rays) const 
   }
   if (!before) return Depth::behind;
   return beyond ? Depth::crossing : Depth::in_front;
+}
+
+/// True if two corners lie on a linear light's line: rays then meet what is between them at the light itself, where it
+/// hides nothing.
+bool OutlineBuilder::runs_along_light(std::span<const Ray> rays) const {
+  if (extent_ == Extent::area) return false;
+  int on_line = 0;
+  for (const Ray& ray : rays) {
+    const double error = plane_.height_error + plane_.depth_error(ray.size, unit * ray.size);
+    if (std::fabs(plane_.height - plane_.depth(ray.direction)) > error) continue;
+    if (exact_orientation(depth_corners_[0], depth_corners_[1], depth_corners_[2], *ray.point) != 0) continue;
+    on_line += side(apex_, outlines_.planes.front(), ray) == 0 ? 1 : 0;
+  }
+  return on_line >= 2;
+}
+
+/// Of a flat blocker whose plane holds the apex: true if it holds a linear light as well.
+bool OutlineBuilder::hides_edge_on(std::span<const Point3> corners) const {
+  return extent_ == Extent::length && std::all_of(light_corners_.begin(), light_corners_.end(), [&](const Point3& end) {
+           return exact_orientation(corners[0], corners[1], corners[2], end) == 0;
+         });
 }
 
 /// Where the light lies with respect to a plane that does not hold the apex. No open segment from the apex passes
@@ -142,12 +208,14 @@ Seen OutlineBuilder::finished(std::uint32_t element) {
     bool covers = true;
     for (const Plane& plane : outlines_.planes_of(outline)) {
       bool apart = true;
+      bool along = extent_ == Extent::length;
       for (const Ray& ray : light) {
         const int sign = side(apex_, plane, ray);
         apart = apart && sign <= 0;
+        along = along && sign == 0;
         covers = covers && sign >= 0;
       }
-      if (apart) return dropped();
+      if (apart && !along) return dropped();
     }
     if (covers) return Seen::covers;
   }
@@ -169,13 +237,21 @@ Seen OutlineBuilder::append_flat(std::span<const Point3> corners, std::span<cons
   if (depth == Depth::behind) return dropped();
   append_planes(names, false);
   const int turn = side(apex_, outlines_.planes[first_], outlines_.rays[first_ + 2]);
-  if (turn == 0) return dropped();
+  if (turn == 0) {
+    const bool open = hides_edge_on(corners);
+    dropped();
+    return open ? Seen::undecided : Seen::apart;
+  }
   if (turn < 0) {
     std::reverse(outlines_.rays.begin() + first_, outlines_.rays.end());
     outlines_.planes.resize(first_);
     append_planes(names, true);
   }
-  if (depth == Depth::in_front) return finished(element);
+  if (depth == Depth::in_front) {
+    const Seen seen = finished(element);
+    if (seen == Seen::apart) return seen;
+    return runs_along_light(std::span(outlines_.rays).subspan(first_)) ? Seen::undecided : seen;
+  }
   const Beyond beyond = light_beyond(corners[0], corners[1], corners[2]);
   if (beyond == Beyond::none) return dropped();
   const Seen seen = finished(element);
@@ -192,25 +268,34 @@ Seen OutlineBuilder::seen_from_inside(const ConvexSolid& solid) const {
     };
     if (side_of(apex_) != 0) continue;
     bool apart = true;
+    bool along = extent_ == Extent::length;
     for (const Point3& corner : light_corners_) {
       const int side = side_of(corner);
       apart = apart && side >= 0;
+      along = along && side == 0;
       covers = covers && side <= 0;
     }
-    if (apart) return Seen::apart;
+    if (apart && !along) return Seen::apart;
   }
   return covers ? Seen::covers : Seen::undecided;
 }
 
-/// True if the light lies beyond every facet that shows itself to the apex, or in its plane.
+/// True if the light lies beyond every facet that shows itself to the apex, or in its plane; a linear light not wholly
+/// in it.
 bool OutlineBuilder::light_beyond_all_shown(const ConvexSolid& solid) const {
   const std::span<const Point3> points = solid.points();
   return std::all_of(solid.facets().begin(), solid.facets().end(), [&](const ConvexSolid::Facet& facet) {
     const auto side_of = [&](const Point3& p) {
       return exact_orientation(points[facet.loop[0]], points[facet.loop[1]], points[facet.loop[2]], p);
     };
-    return side_of(apex_) <= 0 || std::all_of(light_corners_.begin(), light_corners_.end(),
-                                              [&](const Point3& corner) { return side_of(corner) <= 0; });
+    if (side_of(apex_) <= 0) return true;
+    bool any_beyond = extent_ == Extent::area;
+    for (const Point3& corner : light_corners_) {
+      const int side = side_of(corner);
+      if (side > 0) return false;
+      any_beyond = any_beyond || side < 0;
+    }
+    return any_beyond;
   });
 }
 
@@ -239,7 +324,7 @@ Seen OutlineBuilder::append_solid(const ConvexSolid& solid, std::uint32_t elemen
     outlines_.planes.resize(first_);
     append_planes(names, true);
   }
-  const bool decided = depth == Depth::in_front || light_beyond_all_shown(solid);
+  const bool decided = !runs_along_light(corners) && (depth == Depth::in_front || light_beyond_all_shown(solid));
   const Seen seen = finished(element);
   return decided || seen == Seen::apart ? seen : Seen::undecided;
 }

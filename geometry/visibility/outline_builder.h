@@ -17,12 +17,31 @@ enum class Seen {
   undecided,  ///< not for this level
 };
 
+/// What became of all blockers.
+enum class Gathered {
+  outlined,   ///< all that may hide something are among the outlines
+  covered,    ///< one hides the whole light
+  undecided,  ///< not for this level
+};
+
 /// Appends outlines; the first is the light's.
+///
+/// Of an area light, what only touches hides nothing that counts. A blocker that touches the plane of a linear light
+/// and the point may hide a part of it.
 class OutlineBuilder {
  public:
+  /// For an area light.
   /// Requires: the apex in front of the corners' plane: they run clockwise, seen from it, if `reversed`.
   OutlineBuilder(const Point3& apex, std::span<const Point3> light_corners, std::span<const std::uint32_t> names,
                  bool reversed, const LightPlane& plane, Outlines& outlines);
+
+  /// For a linear light: `ends` are its start, its end and a point off the plane through both and the apex, so that
+  /// all three span a plane to measure depth by.
+  /// Requires: the apex behind the ends' plane: they run clockwise seen from it.
+  OutlineBuilder(const Point3& apex, std::span<const Point3, 3> ends, const LightPlane& plane, Outlines& outlines);
+
+  /// Looks at blockers, and stops at one that covers the light.
+  Gathered append_blockers(const BlockerSet::Content& blockers, std::span<const std::uint32_t> candidates);
 
   /// Looks at a flat blocker's corners.
   Seen append_flat(std::span<const Point3> corners, std::span<const std::uint32_t> names, std::uint32_t element);
@@ -31,6 +50,7 @@ class OutlineBuilder {
   Seen append_solid(const ConvexSolid& solid, std::uint32_t element);
 
  private:
+  enum class Extent { area, length };
   enum class Depth { in_front, behind, crossing };
   enum class Beyond { none, part, all };
 
@@ -42,6 +62,9 @@ class OutlineBuilder {
   bool certainly_outside() const;
   bool certainly_behind_apex() const;
   Depth depth_of(std::span<const Ray> rays) const;
+  Seen look_at(const BlockerSet::Content& blockers, std::uint32_t blocker);
+  bool runs_along_light(std::span<const Ray> rays) const;
+  bool hides_edge_on(std::span<const Point3> corners) const;
   Beyond light_beyond(const Point3& a, const Point3& b, const Point3& c) const;
   bool light_beyond_all_shown(const ConvexSolid& solid) const;
   Seen finished(std::uint32_t element);
@@ -49,7 +72,9 @@ class OutlineBuilder {
   FlatBox point_box(const Ray& ray, bool& ahead) const;
 
   Point3 apex_;
+  Extent extent_;
   std::span<const Point3> light_corners_;
+  std::span<const Point3> depth_corners_;  ///< three of the light's plane
   LightPlane plane_;
   Outlines& outlines_;
   std::uint32_t first_ = 0;  ///< of the outline being built

@@ -17,6 +17,10 @@ inline constexpr double unit = 0x1p-53;
 inline constexpr double tiny = 1e-150;
 inline constexpr double largest = 1e30;
 
+inline bool is_in_range(const Point3& p) {
+  return std::max(std::max(std::fabs(p.x), std::fabs(p.y)), std::fabs(p.z)) <= largest;
+}
+
 /// Slightly more than the Euclidean norm of (1, 1, 1).
 inline constexpr double root_of_three = 1.7320509;
 

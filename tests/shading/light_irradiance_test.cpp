@@ -3,36 +3,31 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 #include <vector>
 
 #include "geometry/errors.h"
+#include "geometry/visibility/exact_visible_part.h"
 #include "shading/reference_irradiance.h"
+#include "shading/small_lights.h"
 #include "tests/geometry/visibility/splitting_oracle.h"
+#include "tests/support/dice.h"
 
 namespace gnomon {
 namespace {
 
-class Dice {
- public:
-  explicit Dice(unsigned seed) : engine_(seed) {}
-  int draw(int least, int most) {
-    return least + static_cast<int>(engine_() % static_cast<unsigned>(most - least + 1));
-  }
-  Point3 point(int reach, int low, int high) {
-    const double x = draw(-reach, reach);
-    const double y = draw(-reach, reach);
-    return {x, y, static_cast<double>(draw(low, high))};
-  }
+using testing::Dice;
 
- private:
-  std::mt19937 engine_;
-};
+Point3 draw_point(Dice& dice, int reach, int low, int high) {
+  const double x = dice.draw(-reach, reach);
+  const double y = dice.draw(-reach, reach);
+  return {x, y, static_cast<double>(dice.draw(low, high))};
+}
 
 std::vector<ConvexBlocker> draw_triangles(Dice& dice, std::size_t count, int high) {
   std::vector<ConvexBlocker> blockers;
   while (blockers.size() < count) {
-    const std::vector<Point3> triangle = {dice.point(3, 1, high), dice.point(3, 1, high), dice.point(3, 1, high)};
+    const std::vector<Point3> triangle = {draw_point(dice, 3, 1, high), draw_point(dice, 3, 1, high),
+                                          draw_point(dice, 3, 1, high)};
     if (!ConvexPolygon::defect(triangle)) blockers.push_back(ConvexPolygon::from_points(triangle));
   }
   return blockers;
@@ -70,10 +65,10 @@ long double horizon_share(const Point3& a, const Point3& b, const Point3& p, con
 TEST(LightIrradianceAgreement, LinearLightsMatchTheIntegralOfTheDefinition) {
   Dice dice(7);
   for (int round = 0; round < 400; ++round) {
-    const Point3 a = dice.point(3, 4, 7);
-    const Point3 b = dice.point(3, 4, 7);
-    const Point3 p = dice.point(4, -2, 3);
-    const Point3 n = dice.point(2, -2, 2);
+    const Point3 a = draw_point(dice, 3, 4, 7);
+    const Point3 b = draw_point(dice, 3, 4, 7);
+    const Point3 p = draw_point(dice, 4, -2, 3);
+    const Point3 n = draw_point(dice, 2, -2, 2);
     if (a == b || n == Point3{}) continue;
     LightIrradiance light(LinearLight{a, b}, 2, PreparedObstacles({}));
     const Irradiance e = light.at(p, n);
@@ -113,14 +108,39 @@ TEST(LightIrradiance, ANormalWithoutDirectionIsRefused) {
   EXPECT_THROW(bulb.at({0, 0, 0}, {0, 0, 0}), PreconditionError);
 }
 
+/// What the exact level says of the light, interval by interval.
+Irradiance exact_irradiance(const LinearLight& light, const std::vector<ConvexBlocker>& blockers, const Point3& p,
+                            const Point3& n) {
+  return linear_irradiance(light, exact_visible_part(light, {blockers, {}}, p).intervals, p, n);
+}
+
+TEST(LightIrradianceAgreement, LinearLightsBehindBlockersMatchTheExactLevel) {
+  Dice dice(11);
+  int unlike = 0;
+  for (int round = 0; round < 3000; ++round) {
+    const std::vector<ConvexBlocker> blockers = draw_triangles(dice, 4, 6);
+    const LinearLight tube{draw_point(dice, 3, 5, 7), draw_point(dice, 3, 6, 8)};
+    const Point3 p = draw_point(dice, 4, -2, 8);
+    const Point3 n = draw_point(dice, 2, -2, 2);
+    if (tube.start == tube.end || n == Point3{}) continue;
+    const Irradiance exact = exact_irradiance(tube, blockers, p, n);
+    const Irradiance e = LightIrradiance(tube, 1, PreparedObstacles({blockers, {}})).at(p, n);
+    if (exact.value == HUGE_VAL) continue;
+    ASSERT_LE(std::fabs(e.value - exact.value), e.error_bound + exact.error_bound) << round;
+    ASSERT_LE(e.error_bound, 1e-6) << round;
+    unlike += e.value != exact.value ? 1 : 0;
+  }
+  EXPECT_GT(unlike, 300) << "the fast level has answered, not the exact one";
+}
+
 /// Blockers that cross the light's plane, so that both levels answer.
 TEST(LightIrradianceAgreement, BothLevelsHoldTheTruthOf200Bits) {
   Dice dice(3);
   for (int round = 0; round < 500; ++round) {
     const std::vector<ConvexBlocker> blockers = draw_triangles(dice, 4, 10);
     const AreaLight light{ConvexPolygon::from_points({{-2, -2, 8}, {-2, 2, 8}, {2, 2, 8}, {2, -2, 8}}), round % 2 == 0};
-    const Point3 p = dice.point(4, -1, 10);
-    const Point3 n = dice.point(2, -3, 3);
+    const Point3 p = draw_point(dice, 4, -1, 10);
+    const Point3 n = draw_point(dice, 2, -3, 3);
     if (n == Point3{}) continue;
     std::vector<std::vector<ExactCorner>> views;
     for (const auto& piece : testing::split_view(light, blockers, p).visible) {

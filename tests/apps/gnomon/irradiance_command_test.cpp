@@ -69,6 +69,60 @@ TEST_F(IrradianceCommand, RefusesPointsWithoutNormalsAndScenesOfThePlane) {
   EXPECT_EQ(gnomon("irradiance plane.scene.json --at points.csv").code, 4);
 }
 
+class IrradianceOnAReceiver : public IrradianceCommand {
+ protected:
+  IrradianceOnAReceiver() {
+    write("room.scene.json", R"({"gnomon": 1, "dimension": 3,
+      "lights": [{"name": "bulb", "shape": "point", "position": [0, 0, 2], "intensity": 4}],
+      "blockers": [{"name": "floor", "shape": "polygon", "vertices": [[-2,-1,0], [2,-1,0], [2,1,0], [-2,1,0]]}],
+      "receivers": [{"name": "floor", "shape": "polygon", "vertices": [[-2,-1,0], [2,-1,0], [2,1,0], [-2,1,0]]},
+                    {"name": "ceiling", "shape": "polygon", "vertices": [[-2,-1,0], [-2,1,0], [2,1,0], [2,-1,0]]}]})");
+  }
+};
+
+TEST_F(IrradianceOnAReceiver, SpreadsPointsInTheMiddlesOfCells) {
+  const Outcome run = gnomon("irradiance room.scene.json --on floor --shape 3,1");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(lines(run.out),
+              ElementsAre("x,y,z,nx,ny,nz,light,irradiance,error_bound", StartsWith("-1.33333333333333"),
+                          StartsWith("0,0,0,0,0,1,bulb,1,"), StartsWith("1.33333333333333")));
+  EXPECT_THAT(run.err, IsEmpty());
+}
+
+TEST_F(IrradianceOnAReceiver, CountsLightFromItsFrontAlone) {
+  EXPECT_THAT(lines(gnomon("irradiance room.scene.json --on ceiling --shape 1,1").out),
+              ElementsAre(HasSubstr("irradiance"), "0,0,0,0,0,-1,bulb,0,0"));
+}
+
+TEST_F(IrradianceOnAReceiver, WritesFilesAndJson) {
+  const Outcome run = gnomon("irradiance room.scene.json --on floor --shape 40,40 --out floor.csv --json floor.json");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(lines(read("floor.csv")), testing::SizeIs(1601));
+  EXPECT_EQ(read_json("floor.json")["point_count"], 1600);
+}
+
+TEST_F(IrradianceOnAReceiver, CountsPointsOnATerminalUnlessTheRowsGoThereOrItIsToBeQuiet) {
+  const auto on_terminal = [&](const std::string& arguments) {
+    return shell("export GNOMON; script -qec '\"$GNOMON\" irradiance room.scene.json --on floor --shape 40,40 " +
+                 arguments + "' /dev/null")
+        .out;
+  };
+  EXPECT_THAT(on_terminal("--out floor.csv"), HasSubstr("point 0 of 1600"));
+  EXPECT_THAT(on_terminal("> floor.csv"), HasSubstr("point 0 of 1600"));
+  EXPECT_THAT(on_terminal("--out floor.csv --quiet"), testing::Not(HasSubstr("point 0")));
+  EXPECT_THAT(on_terminal(""), testing::Not(HasSubstr("point 0")));
+}
+
+TEST_F(IrradianceOnAReceiver, RefusesUnknownReceiversAndMissingOrBadShapes) {
+  const Outcome unknown = gnomon("irradiance room.scene.json --on wall --shape 2,2");
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("--on: the scene has no receiver 'wall'; it has 'floor', 'ceiling'"));
+  for (const std::string arguments : {"--on floor", "--shape 2,2", "", "--on floor --shape 2", "--on floor --shape 2,0",
+                                      "--on floor --shape 2,2 --at points.csv"}) {
+    EXPECT_EQ(gnomon("irradiance room.scene.json " + arguments).code, 2) << arguments;
+  }
+}
+
 TEST_F(IrradianceCommand, SaysTheSameWithAnyNumberOfThreads) {
   std::string points = "x,y,z,nx,ny,nz\n";
   for (int i = 0; i < 3000; ++i) points += std::to_string(i % 13 - 6) + ',' + std::to_string(i % 7) + ",0,0,0,1\n";

@@ -6,38 +6,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <map>
 #include <optional>
-#include <random>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "geometry/kernel.h"
 #include "tests/geometry/visibility/splitting_oracle.h"
+#include "tests/support/dice.h"
 
 namespace gnomon {
 namespace {
 
-/// What a test draws, from a seed that RapidCheck draws and prints.
-class Dice {
- public:
-  Dice() : engine_(*rc::gen::noShrink(rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint32_t>()))) {}
-
-  int draw(int least, int most) {
-    return least + static_cast<int>(engine_() % static_cast<unsigned>(most - least + 1));
-  }
-  bool once_in(int n) { return draw(0, n - 1) == 0; }
-
-  template <class Range>
-  const auto& one_of(const Range& range) {
-    return range[static_cast<std::size_t>(draw(0, static_cast<int>(range.size()) - 1))];
-  }
-
- private:
-  std::mt19937 engine_;
-};
+using testing::Dice;
 
 /// Builds something that must be legal out of drawn points, or draws again.
 template <class Make>

@@ -1,0 +1,132 @@
+#include "geometry/visibility/fast_linear_visibility.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "geometry/spatial/orientation.h"
+#include "geometry/visibility/blocker_content.h"
+#include "geometry/visibility/boundary_walk.h"
+#include "geometry/visibility/outline_builder.h"
+
+namespace gnomon {
+
+using namespace sight;
+
+/// The light, and the memory that questions share.
+class FastLinearVisibility::Work {
+ public:
+  Work(const LinearLight& light, BlockerSet blockers)
+      : blockers_(std::move(blockers)), ends_{light.start, light.end, light.start} {
+    in_range_ = is_in_range(light.start) && is_in_range(light.end) && blockers_.content().largest <= largest;
+  }
+
+  std::optional<LinearLightSeen> seen_from(const Point3& apex);
+
+ private:
+  bool stand_up(const Point3& apex);
+  LinearLightSeen walk(const Point3& apex);
+  StretchEnd end_at(const Edge& edge, const Station& station) const;
+  LinearLightSeen penumbra(const Edge& edge);
+
+  BlockerSet blockers_;
+  bool in_range_ = false;
+  std::array<Point3, 3> ends_;  ///< start, end, and a point beside the plane through them and the apex
+  LightPlane plane_;
+  Outlines outlines_;
+  std::vector<std::uint32_t> candidates_;
+  std::vector<Stretch> covers_;
+  std::vector<Piece> visible_;
+  std::vector<VisibleStretch> stretches_;
+};
+
+/// Depth is measured by a plane through the light that stands about upright on the plane of light and apex. Any will
+/// do, whatever was rounded, if the apex lies off it. False: there is none.
+bool FastLinearVisibility::Work::stand_up(const Point3& apex) {
+  const Vector to_start = ends_[0] - apex;
+  const Vector along = ends_[1] - ends_[0];
+  const Vector upright = cross(to_start, along);
+  const double scale = size_of(along) / size_of(upright);
+  const Vector step{scale * upright.x, scale * upright.y, scale * upright.z};
+  ends_[2] = {ends_[0].x + step.x, ends_[0].y + step.y, ends_[0].z + step.z};
+  if (!is_in_range(ends_[2])) return false;
+  plane_ = light_plane(ends_[0], ends_[1], ends_[2]);
+  const double size = size_of(to_start);
+  plane_.height = plane_.depth(to_start);
+  plane_.height_error = plane_.depth_error(size, unit * size);
+  return exact_orientation(ends_[0], ends_[1], ends_[2], apex) < 0;
+}
+
+/// Bound. With a and b the products of the plane's normal with the ends, off by e and f, the share is a / (a - b), off
+/// by (|a| f + |b| e) / (D (D - e - f)) with D = |a - b|, and two roundings.
+StretchEnd FastLinearVisibility::Work::end_at(const Edge& edge, const Station& station) const {
+  if (station.kind != Station::Kind::inner) return {std::nullopt, 0, station.kind == Station::Kind::end ? 1.0 : 0.0, 0};
+  const Plane& plane = *station.plane;
+  const double a = dot(plane.normal, edge.start->direction);
+  const double b = dot(plane.normal, edge.end->direction);
+  const double a_error = plane.side_bound * edge.start->size + tiny;
+  const double b_error = plane.side_bound * edge.end->size + tiny;
+  const double whole = std::fabs(a - b);
+  const double sure = whole - 1.01 * (a_error + b_error);
+  const double share = std::clamp(a / (a - b), 0.0, 1.0);
+  const double error = 1.01 * (std::fabs(a) * b_error + std::fabs(b) * a_error) / (whole * sure) + 4 * unit;
+  const auto index = static_cast<std::uint32_t>(&plane - outlines_.planes.data());
+  const auto after = std::upper_bound(outlines_.list.begin(), outlines_.list.end(), index,
+                                      [](std::uint32_t i, const Outline& outline) { return i < outline.first; });
+  const bool known = sure > 0 && error <= 1;
+  return {std::prev(after)->element, plane.name, known ? share : 0.5, known ? error : HUGE_VAL};
+}
+
+LinearLightSeen FastLinearVisibility::Work::penumbra(const Edge& edge) {
+  double fraction = 0;
+  double error = 0;
+  for (const Piece& piece : visible_) {
+    stretches_.push_back({end_at(edge, piece.stretch.from), end_at(edge, piece.stretch.to)});
+    const auto& [from, to] = stretches_.back();
+    fraction += to.share - from.share;
+    error += from.error + to.error + 4 * unit;
+  }
+  return {Region::penumbra, std::clamp(fraction, 0.0, 1.0), std::min(1.01 * error, 1.0), stretches_};
+}
+
+/// The light is one edge, and every outline that touches its plane along a length covers a part of it.
+LinearLightSeen FastLinearVisibility::Work::walk(const Point3& apex) {
+  BoundaryWalk walk(apex, outlines_);
+  const Outline& light = outlines_.list.front();
+  const Edge edge{outlines_.planes.data(), outlines_.rays.data(), outlines_.rays.data() + 1, light.ahead};
+  const Piece whole{edge, {{Station::Kind::start}, {Station::Kind::end}}, &light, true};
+  covers_.clear();
+  for (const Outline* outline = &light + 1; outline != &light + outlines_.list.size(); ++outline) {
+    Stretch cover;
+    if (walk.stretch_inside(edge, *outline, Alongside::either_side, cover)) covers_.push_back(cover);
+  }
+  visible_.clear();
+  if (!covers_.empty() && !walk.append_uncovered(whole, covers_, visible_)) return {Region::umbra, 0, 0, {}};
+  if (!covers_.empty()) return penumbra(edge);
+  stretches_.push_back({{std::nullopt, 0, 0, 0}, {std::nullopt, 0, 1, 0}});
+  return {Region::lit, 1, 0, stretches_};
+}
+
+std::optional<LinearLightSeen> FastLinearVisibility::Work::seen_from(const Point3& apex) {
+  stretches_.clear();
+  if (!in_range_ || !is_in_range(apex) || !stand_up(apex)) return std::nullopt;
+  OutlineBuilder builder(apex, ends_, plane_, outlines_);
+  blockers_.content().collect({apex, outlines_.sides, plane_}, candidates_);
+  const Gathered gathered = builder.append_blockers(blockers_.content(), candidates_);
+  if (gathered == Gathered::undecided) return std::nullopt;
+  if (gathered == Gathered::covered) return LinearLightSeen{Region::umbra, 0, 0, {}};
+  return walk(apex);
+}
+
+FastLinearVisibility::FastLinearVisibility(const LinearLight& light, BlockerSet blockers)
+    : work_(std::make_unique<Work>(light, std::move(blockers))) {}
+FastLinearVisibility::FastLinearVisibility(FastLinearVisibility&&) noexcept = default;
+FastLinearVisibility& FastLinearVisibility::operator=(FastLinearVisibility&&) noexcept = default;
+FastLinearVisibility::~FastLinearVisibility() = default;
+
+std::optional<LinearLightSeen> FastLinearVisibility::seen_from(const Point3& point) {
+  return work_->seen_from(point);
+}
+
+}  // namespace gnomon

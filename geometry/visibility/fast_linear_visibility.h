@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "geometry/point.h"
+#include "geometry/region.h"
+#include "geometry/spatial/light.h"
+#include "geometry/visibility/blocker_set.h"
+
+namespace gnomon {
+
+/// An end of a visible stretch of a linear light: one of the light's ends, or where a blocker's edge crosses it as
+/// seen.
+struct StretchEnd {
+  std::optional<std::uint32_t> blocker;  ///< its index in the set; empty at an end of the light
+  std::uint32_t edge = 0;                ///< of the polygon as given, or of the solid
+  double share = 0;                      ///< of the way from the light's start to its end
+  double error = 0;                      ///< |share - exact| is at most this; it may be infinite
+};
+
+/// A part of a linear light that is visible.
+struct VisibleStretch {
+  StretchEnd from;
+  StretchEnd to;
+};
+
+/// What a point sees of a linear light.
+struct LinearLightSeen {
+  Region region = Region::lit;
+  double fraction = 0;     ///< visible fraction
+  double error_bound = 0;  ///< |fraction - exact| is at most this; 0 outside the penumbra
+  /// The stretches of positive length, from the light's start to its end. Valid until the next question.
+  std::span<const VisibleStretch> visible;
+};
+
+/// The fast level of visibility for one linear light behind many blockers, in doubles that know their bounds.
+///
+/// Definition: a point of the light is blocked if the open segment to it meets a blocker.
+/// Exactness:  the region and the edges that bound what is visible are exact: a sign that doubles cannot certify is
+///             taken in exact arithmetic. Shares and the fraction carry bounds. Where this level does not decide it
+///             says so.
+/// Cost:       a search in the hierarchy, and one cover for each blocker near the triangle between point and light.
+///             Memory is kept for the next question, so one object per thread.
+class FastLinearVisibility {
+ public:
+  FastLinearVisibility(const LinearLight& light, BlockerSet blockers);
+  FastLinearVisibility(FastLinearVisibility&&) noexcept;
+  FastLinearVisibility& operator=(FastLinearVisibility&&) noexcept;
+  ~FastLinearVisibility();
+
+  /// What the point sees, or nothing if that is left to the exact level: the point lies on the light's line or, with
+  /// the light, in the plane of a flat blocker; a blocker holds a part of the light's line or may reach beyond the
+  /// light where its plane cuts it; or a coordinate exceeds 1e30.
+  ///
+  /// Requires: finite coordinates.
+  std::optional<LinearLightSeen> seen_from(const Point3& point);
+
+ private:
+  class Work;
+  std::unique_ptr<Work> work_;
+};
+
+}  // namespace gnomon

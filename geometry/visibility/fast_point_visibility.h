@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "geometry/point.h"
+#include "geometry/region.h"
+#include "geometry/spatial/light.h"
+#include "geometry/visibility/blocker_set.h"
+
+namespace gnomon {
+
+/// The fast level of visibility for a light without size: does the one line of sight to it meet a blocker?
+///
+/// Definition: hidden if the open segment to a point light, the open ray towards a directional one, meets a blocker, or
+///             the point lies strictly inside a solid.
+/// Exactness:  exact: signs of determinants of input points.
+/// Cost:       a search in the hierarchy along the line of sight, and a few signs for each blocker it finds. Memory is
+///             kept for the next question, so one object per thread.
+class FastPointVisibility {
+ public:
+  using SmallLight = std::variant<PointLight, DirectionalLight>;
+
+  FastPointVisibility(SmallLight light, BlockerSet blockers);
+
+  /// Lit or umbra, or nothing if that is left to the exact level: the line of sight runs in a flat blocker's plane, the
+  /// point is the light, or a coordinate exceeds 1e30.
+  ///
+  /// Requires: finite coordinates.
+  std::optional<Region> region_from(const Point3& point);
+
+ private:
+  SmallLight light_;
+  BlockerSet blockers_;
+  std::vector<std::uint32_t> candidates_;
+  std::vector<int> sides_;  ///< of a solid's facets, on which the point lies
+};
+
+}  // namespace gnomon

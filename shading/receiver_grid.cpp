@@ -1,0 +1,122 @@
+#include "shading/receiver_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "geometry/planar/orientation.h"
+#include "geometry/spatial/orientation.h"
+#include "shading/vector.h"
+
+namespace gnomon {
+namespace {
+
+using shading::cross;
+using shading::dot;
+using shading::length;
+using shading::Vector;
+
+Vector difference(const Point3& a, const Point3& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+Point3 point_of(const Vector& v) {
+  return {v.x, v.y, v.z};
+}
+
+/// The shares of a direction between which the corners lie.
+struct Range {
+  double low = 0;
+  double high = 0;
+};
+
+Range range(std::span<const Point3> corners, const Vector& direction) {
+  Range result;
+  for (const Point3& corner : corners) {
+    const double share = dot(difference(corner, corners[0]), direction) / dot(direction, direction);
+    result = {std::min(result.low, share), std::max(result.high, share)};
+  }
+  return result;
+}
+
+/// The point without the coordinate that is largest in the normal.
+Point2 flattened(const Point3& p, const Point3& normal) {
+  const double x = std::fabs(normal.x);
+  const double y = std::fabs(normal.y);
+  const double z = std::fabs(normal.z);
+  if (x >= y && x >= z) return {p.y, p.z};
+  return y >= z ? Point2{p.x, p.z} : Point2{p.x, p.y};
+}
+
+std::span<const Point3> points_of(const ConvexBlocker& blocker) {
+  return std::visit([](const auto& shape) { return shape.points(); }, blocker);
+}
+
+/// The plane of a receiver, by three of its corners.
+struct FrontPlane {
+  explicit FrontPlane(const ConvexPolygon& receiver) {
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = receiver.points()[receiver.corners()[k]];
+  }
+  int side(const Point3& p) const { return exact_orientation(corners[0], corners[1], corners[2], p); }
+  bool has_before(std::span<const Point3> points) const {
+    return std::any_of(points.begin(), points.end(), [&](const Point3& p) { return side(p) > 0; });
+  }
+  bool holds_facet(const ClosedSurface& surface) const {
+    return std::any_of(surface.triangles.begin(), surface.triangles.end(), [&](const auto& triangle) {
+      return std::all_of(triangle.begin(), triangle.end(),
+                         [&](std::uint32_t i) { return side(surface.vertices[i]) == 0; });
+    });
+  }
+
+  std::array<Point3, 3> corners;
+};
+
+}  // namespace
+
+ReceiverGrid::ReceiverGrid(const ConvexPolygon& receiver, const std::array<std::uint32_t, 2>& shape) : shape_(shape) {
+  for (const std::uint32_t i : receiver.corners()) corners_.push_back(receiver.points()[i]);
+  const Vector u = difference(corners_[1], corners_[0]);
+  const Vector side = difference(corners_[2], corners_[1]);
+  const Vector v = side + -(dot(side, u) / dot(u, u)) * u;
+  const Vector normal = cross(u, v);
+  const Range along_u = range(corners_, u);
+  const Range along_v = range(corners_, v);
+  const Vector first = Vector{corners_[0].x, corners_[0].y, corners_[0].z} + along_u.low * u + along_v.low * v;
+  origin_ = point_of(first);
+  u_ = point_of((along_u.high - along_u.low) * u);
+  v_ = point_of((along_v.high - along_v.low) * v);
+  normal_ = point_of(1 / length(normal) * normal);
+}
+
+Point3 ReceiverGrid::point(std::size_t index) const {
+  const double s = (static_cast<double>(index % shape_[0]) + 0.5) / shape_[0];
+  const double t = (static_cast<double>(index / shape_[0]) + 0.5) / shape_[1];
+  return {origin_.x + s * u_.x + t * v_.x, origin_.y + s * u_.y + t * v_.y, origin_.z + s * u_.z + t * v_.z};
+}
+
+bool ReceiverGrid::is_on_receiver(const Point3& point) const {
+  const Point2 p = flattened(point, normal_);
+  bool left = false;
+  bool right = false;
+  for (std::size_t k = 0; k < corners_.size(); ++k) {
+    const Point3& next = corners_[k + 1 == corners_.size() ? 0 : k + 1];
+    const int side = planar::orientation(flattened(corners_[k], normal_), flattened(next, normal_), p);
+    left = left || side > 0;
+    right = right || side < 0;
+  }
+  return !left || !right;
+}
+
+Obstacles obstacles_before(const ConvexPolygon& receiver, const Obstacles& obstacles) {
+  const FrontPlane plane(receiver);
+  Obstacles result;
+  for (const ConvexBlocker& blocker : obstacles.blockers) {
+    if (plane.has_before(points_of(blocker))) result.blockers.push_back(blocker);
+  }
+  for (const ClosedSurface& surface : obstacles.enclosures) {
+    if (plane.has_before(surface.vertices) && !plane.holds_facet(surface)) result.enclosures.push_back(surface);
+  }
+  return result;
+}
+
+}  // namespace gnomon
