@@ -8,6 +8,8 @@
 #include "apps/laws/pair_generator.h"
 #include "geometry/spatial/polygon_checks.h"
 #include "geometry/spatial/position.h"
+#include "geometry/spatial/shadow_volume.h"
+#include "geometry/visibility/visibility.h"
 
 namespace gnomon::laws {
 namespace {
@@ -184,6 +186,16 @@ std::string description(const AnyPair& pair) {
   write(std::holds_alternative<ConvexSolid>(pair.blocker) ? "solid" : "blocker", vertices_of(pair.blocker));
   write("points", pair.points);
   return out.str();
+}
+
+Example example(const AnyPair& pair) {
+  return spatial_example(pair.light, std::span(&pair.blocker, 1), pair.points);
+}
+
+void count_regions(const AnyPair& pair, Census& census) {
+  if (is_supported(pair.light, pair.blocker)) census.add(shadow_volumes(pair.light, pair.blocker));
+  if (pair.points.empty()) return;
+  census.add_point(exact_visibility(pair.light, {{pair.blocker}, {}}, pair.points.front()).region);
 }
 
 AnyPair draw_any_pair(Domain domain, LightKind light_kind, BlockerKind blocker_kind, int points) {

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "apps/laws/census.h"
+#include "apps/laws/example.h"
 #include "apps/laws/law.h"
 #include "geometry/spatial/convex_blocker.h"
 #include "geometry/spatial/light.h"
@@ -21,6 +23,12 @@ struct AnyPair {
 
 /// The pair as text from which it can be built again: 17 digits, every vertex.
 std::string description(const AnyPair& pair);
+
+/// The case as a scene.
+Example example(const AnyPair& drawn);
+
+/// Adds the regions of the pair and that of the first point to the counts.
+void count_regions(const AnyPair& drawn, Census& census);
 
 /// Draws a pair with small integer coordinates, so that the two touch, cross, share elements and lie in common planes
 /// in a good part of the cases; bent toward degeneracy by ulps, offsets and scales in the near-degenerate domain.

@@ -6,6 +6,8 @@
 #include <sstream>
 
 #include "apps/laws/draw.h"
+#include "geometry/planar/partition.h"
+#include "geometry/planar/sight.h"
 
 namespace gnomon::laws {
 namespace {
@@ -52,6 +54,19 @@ Blockers chain(int count) {
     add(blockers, at, next);
     at = next;
   }
+  return blockers;
+}
+
+/// A blocker and one that goes on from its end, on the other side of a place of the light if that can be.
+Blockers joint(const std::vector<Point2>& light, int count) {
+  const Point2 at = draw_point2(6), l = between(light.front(), light.back(), 0.5);
+  const Point2 sight{at.x - l.x, at.y - l.y}, first = draw_point2(3), second = draw_point2(3);
+  const double turn = sight.x * first.y - sight.y * first.x, other_turn = sight.x * second.y - sight.y * second.x;
+  const double sense = turn * other_turn > 0 ? -1 : 1;
+  Blockers blockers = scattered(count - 2);
+  add(blockers, at, {at.x + first.x, at.y + first.y});
+  add(blockers, at, {at.x + sense * second.x, at.y + sense * second.y});
+  std::ranges::reverse(blockers);
   return blockers;
 }
 
@@ -127,6 +142,8 @@ Blockers draw_blockers(Layout layout, const std::vector<Point2>& light, int coun
       return grid(count);
     case Layout::on_light:
       return on_light(light, count);
+    case Layout::joint:
+      return joint(light, count + 1);
     default:
       return scattered(count);
   }
@@ -139,8 +156,17 @@ Point2 draw_end(const FlatlandCase& drawn) {
   return drawn.blockers[std::size_t(i)][first ? 0 : 1];
 }
 
+/// A point behind a blocker as seen from a place of the light.
+Point2 draw_hidden(const FlatlandCase& drawn) {
+  const double steps[] = {1.5, 2, 1.25, 3, 9};
+  const BlockerSegment& blocker = drawn.blockers[std::size_t(draw(0, int(drawn.blockers.size()) - 1))];
+  const Point2 b = between(blocker[0], blocker[1], 0.25 * draw(0, 4));
+  return between(between(drawn.light.front(), drawn.light.back(), 0.25 * draw(0, 4)), b, steps[draw(0, 4)]);
+}
+
 Point2 draw_view(const FlatlandCase& drawn) {
   const double steps[] = {-1, -0.5, -2, 0.5, 2, 3, 0, 1, -3, 1.5};
+  if (once_in(2)) return draw_hidden(drawn);
   if (once_in(3)) {
     const Point2 p = draw_point2(10);
     return {p.x / 2, p.y / 2};
@@ -188,6 +214,18 @@ std::string description(const FlatlandCase& drawn) {
   for (const BlockerSegment& blocker : drawn.blockers) write(out, "blocker", blocker);
   write(out, "point", std::span(&drawn.point, 1));
   return out.str();
+}
+
+Example example(const FlatlandCase& drawn) {
+  return planar_example(drawn.light, drawn.blockers, std::span(&drawn.point, 1));
+}
+
+void count_regions(const FlatlandCase& drawn, Census& census) {
+  const planar::Sight sight(drawn.flatland());
+  const planar::Partition partition = planar::partition(sight);
+  census.add_umbrae(partition.count(Region::umbra));
+  census.add_penumbrae(partition.count(Region::penumbra));
+  census.add_point(sight.visible_light(drawn.point).region);
 }
 
 rc::Gen<FlatlandCase> flatland_cases(Domain domain, Layout layout, int most) {

@@ -6,6 +6,8 @@
 
 #include <rapidcheck.h>
 
+#include "apps/laws/census.h"
+#include "apps/laws/example.h"
 #include "apps/laws/law.h"
 #include "geometry/planar/flatland.h"
 
@@ -23,6 +25,12 @@ struct FlatlandCase {
 /// The case as text from which it can be built again: 17 digits.
 std::string description(const FlatlandCase& drawn);
 
+/// The case as a scene.
+Example example(const FlatlandCase& drawn);
+
+/// Adds the umbrae and penumbrae behind all blockers and the region of the point to the counts.
+void count_regions(const FlatlandCase& drawn, Census& census);
+
 /// What the blockers make up.
 enum class Layout {
   scattered,  ///< segments between points of a coarse grid: they touch, cross, overlap and repeat
@@ -32,6 +40,7 @@ enum class Layout {
   grid,       ///< segments of the lines of a grid
   on_light,   ///< segments that cross the light, lie on its line or end on it, and others
   any,        ///< one of these
+  joint,      ///< first two that share an end and leave it to different sides, then scattered ones
 };
 
 /// Lights among one to `most` blockers, and a tooth or so more. Points lie anywhere, on blockers, on the light's line,

@@ -6,7 +6,7 @@
 
 namespace gnomon::laws {
 
-/// What is said of the plane but is false: F3 to F5. Such an entry holds if its counterexample refutes the claim.
+/// What is said of the plane but is false: F3 to F5.
 std::vector<Law> flatland_claims();
 
 }  // namespace gnomon::laws

@@ -227,7 +227,7 @@ std::vector<Law> flatland_laws() {
            "Behind a joint of two blockers that lie on opposite sides of it as seen from the light, off the light's "
            "line, "
            "f = 0 near the joint although neither alone hides the light."},
-          cases(Layout::chain, 3), check_joint),
+          cases(Layout::joint, 2), check_joint),
   };
 }
 

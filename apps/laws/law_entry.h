@@ -1,8 +1,10 @@
 #pragma once
 
 #include <exception>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <rapidcheck.h>
 
@@ -12,9 +14,14 @@ namespace gnomon::laws {
 
 /// What a checker says of one case.
 struct Verdict {
-  enum class Kind { premise_fails, holds, fails };
+  enum class Kind {
+    premise_fails,
+    holds,
+    fails,
+    refutes,  ///< of a refuted claim: the claim is false of this case, and the subject knows
+  };
   Kind kind = Kind::holds;
-  std::string reason = {};  ///< of a failure
+  std::string reason = {};  ///< of a failure or a refutation
 };
 
 inline Verdict premise_fails() {
@@ -24,6 +31,10 @@ inline Verdict premise_fails() {
 /// The case keeps the law if `claim` is true, else it breaks it for the reason given.
 inline Verdict verdict(bool claim, std::string_view reason) {
   return claim ? Verdict{} : Verdict{Verdict::Kind::fails, std::string(reason)};
+}
+
+inline Verdict refutes(std::string_view reason) {
+  return {Verdict::Kind::refutes, std::string(reason)};
 }
 
 /// Decides one case of a law. What it is handed beside the case is what it may doubt.
@@ -40,9 +51,35 @@ Verdict guarded(Checker<Case> check, const Case& drawn, const Subject& subject) 
   }
 }
 
-/// A smaller case that breaks the law too, and why it does, found by taking the first smaller one again and again.
+/// The reason, and the case from which it can be built again.
 template <class Case>
-std::string shrunk(rc::Shrinkable<Case> worst, Checker<Case> check, const Subject& subject) {
+std::string told(const Verdict& why, const Case& drawn) {
+  return why.reason + "\n" + description(drawn);
+}
+
+/// The case as a scene, if its kind of case has an `example`.
+template <class Case>
+std::optional<Example> example_of(const Case& drawn) {
+  if constexpr (requires { example(drawn); }) {
+    return example(drawn);
+  } else {
+    return std::nullopt;
+  }
+}
+
+/// Counts the regions of a case, if its kind of case has `count_regions`.
+template <class Case>
+void count_case(const Case& drawn, Census& census) {
+  if constexpr (requires { count_regions(drawn, census); }) {
+    ++census.cases;
+    count_regions(drawn, census);
+  }
+}
+
+/// Tells a smaller case that breaks the law too, and why it does, found by taking the first smaller one again and
+/// again.
+template <class Case>
+void tell_shrunk(rc::Shrinkable<Case> worst, Checker<Case> check, const Subject& subject, Outcome& outcome) {
   Verdict why = guarded(check, worst.value(), subject);
   int left = 2000;
   for (bool smaller = true; smaller && left > 0;) {
@@ -57,16 +94,27 @@ std::string shrunk(rc::Shrinkable<Case> worst, Checker<Case> check, const Subjec
       break;
     }
   }
-  return why.reason + "\n" + description(worst.value());
+  outcome.counterexample = told(why, worst.value());
+  outcome.example = example_of(worst.value());
 }
 
-/// The stream of cases of one law in one domain: the same for the same seed, on every machine.
-inline rc::Random stream(const std::string& key, Domain domain, std::uint64_t seed) {
+/// A stream of cases of one law in one domain: the same for the same seed, on every machine.
+inline rc::Random stream(const std::string& key, Domain domain, std::uint64_t seed, std::uint64_t number) {
   std::uint64_t hash = 14695981039346656037u;
   for (const char c : key + std::string(name(domain))) {
     hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
   }
-  return rc::Random(rc::Random::Key{seed, hash, 0, 0});
+  return rc::Random(rc::Random::Key{seed, hash, number, 0});
+}
+
+/// Counts a case, and keeps the first that refutes a claim.
+template <class Case>
+void count_verdict(const Verdict& found, const Case& drawn, Outcome& outcome) {
+  ++outcome.cases;
+  if (found.kind != Verdict::Kind::premise_fails) ++outcome.premise_held;
+  if (found.kind != Verdict::Kind::refutes || ++outcome.refuting > 1) return;
+  outcome.refutation = told(found, drawn);
+  outcome.example = example_of(drawn);
 }
 
 /// Runs one law: see Law::run.
@@ -77,11 +125,23 @@ Outcome outcome(const rc::Gen<Case>& cases, Checker<Case> check, rc::Random rand
   while (result.premise_held < parameters.cases && result.cases < most_draws_per_case * parameters.cases) {
     const rc::Shrinkable<Case> drawn = cases(random.split());
     const Verdict found = guarded(check, drawn.value(), parameters.subject);
-    ++result.cases;
-    if (found.kind != Verdict::Kind::premise_fails) ++result.premise_held;
+    count_verdict(found, drawn.value(), result);
+    if (parameters.counts_regions) count_case(drawn.value(), result.census);
     if (found.kind != Verdict::Kind::fails) continue;
-    result.counterexample = shrunk(drawn, check, parameters.subject);
+    tell_shrunk(drawn, check, parameters.subject, result);
     break;
+  }
+  return result;
+}
+
+/// Runs the cases known to refute a claim: see Law::known.
+template <class Case>
+Outcome known_outcome(const std::vector<Case>& known, Checker<Case> check, const Subject& subject) {
+  Outcome result;
+  for (const Case& one : known) {
+    const Verdict found = guarded(check, one, subject);
+    count_verdict(found, one, result);
+    if (found.kind == Verdict::Kind::fails) result.counterexample = told(found, one);
   }
   return result;
 }
@@ -101,8 +161,22 @@ Law law(Statement statement, Cases cases, Checker<Case> check) {
   const std::string key = statement.key;
   return {key, std::move(statement.source), std::move(statement.text),
           [key, cases, check](Domain domain, const Parameters& parameters) {
-            return outcome<Case>(cases(domain), check, stream(key, domain, parameters.seed), parameters);
+            const rc::Random random = stream(key, domain, parameters.seed, parameters.stream);
+            return outcome<Case>(cases(domain), check, random, parameters);
           }};
+}
+
+/// The entry of a claim that is false: its words, the cases known to refute it, and where more are searched for. The
+/// checker says `refutes` of a case of which the claim is false, and `fails` where the subject contradicts the
+/// definition.
+template <class Case, class Cases>
+Law refuted_claim(Statement claim, std::vector<Case> known, Cases cases, Checker<Case> check) {
+  Law entry = law(std::move(claim), cases, check);
+  entry.standing = Standing::refuted;
+  entry.known = [known = std::move(known), check](const Subject& subject) {
+    return known_outcome(known, check, subject);
+  };
+  return entry;
 }
 
 }  // namespace gnomon::laws

@@ -1,5 +1,6 @@
 #include "apps/laws/planar_cases.h"
 
+#include <array>
 #include <cmath>
 #include <iomanip>
 #include <limits>
@@ -8,6 +9,8 @@
 #include <utility>
 
 #include "apps/laws/draw.h"
+#include "geometry/planar/region_of.h"
+#include "geometry/planar/regions.h"
 
 namespace gnomon::laws {
 namespace {
@@ -175,6 +178,16 @@ std::string description(const PlanarCase& drawn) {
   write(out, "point", std::span(&drawn.point, 1));
   write(out, "other point", std::span(&drawn.other, 1));
   return out.str();
+}
+
+Example example(const PlanarCase& drawn) {
+  return planar_example(drawn.light, std::span(&drawn.blocker, 1), std::array{drawn.point, drawn.other});
+}
+
+void count_regions(const PlanarCase& drawn, Census& census) {
+  const planar::Pair pair = drawn.pair();
+  census.add(planar::shadow_regions(pair));
+  census.add_point(planar::region_of(pair, drawn.point));
 }
 
 rc::Gen<PlanarCase> planar_cases(Domain domain, Stand stand) {

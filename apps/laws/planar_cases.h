@@ -6,6 +6,8 @@
 
 #include <rapidcheck.h>
 
+#include "apps/laws/census.h"
+#include "apps/laws/example.h"
 #include "apps/laws/law.h"
 #include "geometry/planar/pair.h"
 
@@ -23,6 +25,12 @@ struct PlanarCase {
 
 /// The case as text from which it can be built again: 17 digits.
 std::string description(const PlanarCase& drawn);
+
+/// The case as a scene.
+Example example(const PlanarCase& drawn);
+
+/// Adds the regions of the pair and that of the point to the counts.
+void count_regions(const PlanarCase& drawn, Census& census);
 
 /// How the two are meant to stand to each other; bending toward degeneracy may change it.
 enum class Stand {

@@ -22,6 +22,12 @@ Walls walls_of(const ConvexPolygon& polygon) {
   return result;
 }
 
+/// True if one of the planes holds all three points.
+bool holds_all(const Walls& planes, const ExactVector& a, const ExactVector& b, const ExactVector& c) {
+  return std::ranges::any_of(
+      planes, [&](const ExactPlane& plane) { return plane.side(a) == 0 && plane.side(b) == 0 && plane.side(c) == 0; });
+}
+
 Walls walls_of(const ConvexSolid& solid) {
   const Polygon points = exact(solid.points());
   Walls result;
@@ -29,8 +35,9 @@ Walls walls_of(const ConvexSolid& solid) {
     for (std::size_t j = 0; j < i; ++j) {
       for (std::size_t k = 0; k < j; ++k) {
         const ExactPlane plane = plane_through(points[i], points[j], points[k]);
+        if (is_zero(plane.normal) || holds_all(result, points[i], points[j], points[k])) continue;
         const std::optional<int> side = common_side(plane, points);
-        if (is_zero(plane.normal) || !side) continue;
+        if (!side) continue;
         result.push_back(*side < 0 ? plane : plane.reversed());
       }
     }

@@ -9,6 +9,9 @@
 #include "apps/laws/draw.h"
 #include "apps/laws/exact.h"
 #include "apps/laws/pair_generator.h"
+#include "geometry/spatial/position.h"
+#include "geometry/spatial/shadow_volume.h"
+#include "geometry/visibility/visibility.h"
 
 namespace gnomon::laws {
 namespace {
@@ -247,6 +250,16 @@ std::string description(const SightCase& drawn) {
   }
   write(out, "point", std::span(&drawn.point, 1));
   return out.str();
+}
+
+Example example(const SightCase& drawn) {
+  return spatial_example(drawn.light, drawn.blockers, {drawn.point});
+}
+
+void count_regions(const SightCase& drawn, Census& census) {
+  const bool is_pair = drawn.blockers.size() == 1 && is_supported(drawn.light, drawn.blockers.front());
+  if (is_pair) census.add(shadow_volumes(drawn.light, drawn.blockers.front()));
+  census.add_point(exact_visibility(drawn.light, {drawn.blockers, {}}, drawn.point).region);
 }
 
 rc::Gen<SightCase> sight_cases(Domain domain, const SightMix& mix) {

@@ -5,6 +5,8 @@
 
 #include <rapidcheck.h>
 
+#include "apps/laws/census.h"
+#include "apps/laws/example.h"
 #include "apps/laws/law.h"
 #include "geometry/spatial/convex_blocker.h"
 #include "geometry/spatial/light.h"
@@ -30,6 +32,12 @@ struct SightMix {
 
 /// The case as text from which it can be built again: 17 digits, every vertex.
 std::string description(const SightCase& drawn);
+
+/// The case as a scene.
+Example example(const SightCase& drawn);
+
+/// Adds the region of the point, and of a single blocker the regions of the pair to the counts.
+void count_regions(const SightCase& drawn, Census& census);
 
 /// Cases of small integers in which everything degenerate is common: blockers and light share vertices, touch, cross,
 /// lie in each other's planes; the point lies in a plane of three vertices, on a line of two, on a vertex, in the

@@ -6,6 +6,8 @@
 
 #include "apps/laws/draw.h"
 #include "apps/laws/pair_generator.h"
+#include "geometry/spatial/shadow_volume.h"
+#include "geometry/visibility/visibility.h"
 
 namespace gnomon::laws {
 namespace {
@@ -49,6 +51,12 @@ Point3 draw_beside_a_light_edge(const Points& light, const Points& blocker) {
   return moved(corner, 0.5 * draw(1, 4), moved(corner, -1, beside));
 }
 
+/// A point on the way from the light, or from beside it, to the blocker, or to the point mirrored at the light.
+Point3 draw_before_light(const Points& light, const Points& blocker) {
+  const Point3 l = draw_near(light, 1);
+  return moved(l, 0.125 * draw(-2, 6), moved(draw_near(blocker, 1), -1, l));
+}
+
 /// A point of the plane through an edge and a vertex of the other element.
 Point3 draw_on_a_plane(const Points& light, const Points& blocker) {
   const bool through_light_edge = once_in(3) && light.size() > 1;
@@ -59,11 +67,11 @@ Point3 draw_on_a_plane(const Points& light, const Points& blocker) {
   return moved(on_edge, 0.5 * draw(-4, 4), moved(on_edge, -1, apex));
 }
 
-Point3 draw_point(Domain domain, const Pair& pair) {
+Point3 draw_point(Domain domain, const Pair& pair, View view) {
   const Points light = light_points(pair.light);
   const Points blocker(pair.blocker.points().begin(), pair.blocker.points().end());
   Point3 p;
-  switch (draw(0, 11)) {
+  switch (view == View::before_light && once_in(2) ? 12 : draw(0, 11)) {
     case 0: {
       const int x = draw(-8, 8);
       const int y = draw(-8, 8);
@@ -83,6 +91,9 @@ Point3 draw_point(Domain domain, const Pair& pair) {
     case 5:
     case 6:
       p = draw_beside_a_light_edge(light, blocker);
+      break;
+    case 12:
+      p = draw_before_light(light, blocker);
       break;
     default:
       p = draw_aligned(light, blocker);
@@ -110,11 +121,21 @@ std::string description(const SpatialCase& drawn) {
   return out.str();
 }
 
-rc::Gen<SpatialCase> spatial_cases(Domain domain, Lights lights) {
+Example example(const SpatialCase& drawn) {
+  const ConvexBlocker blocker = drawn.blocker;
+  return spatial_example(drawn.light, std::span(&blocker, 1), {drawn.point, drawn.other});
+}
+
+void count_regions(const SpatialCase& drawn, Census& census) {
+  census.add(shadow_volumes(drawn.light, drawn.blocker));
+  census.add_point(exact_visibility(drawn.light, {{drawn.blocker}, {}}, drawn.point).region);
+}
+
+rc::Gen<SpatialCase> spatial_cases(Domain domain, Lights lights, View view) {
   return rc::gen::exec([=] {
     const Pair pair = draw_pair(domain, lights);
-    const Point3 point = draw_point(domain, pair);
-    return SpatialCase{pair.light, pair.blocker, point, draw_point(domain, pair)};
+    const Point3 point = draw_point(domain, pair, view);
+    return SpatialCase{pair.light, pair.blocker, point, draw_point(domain, pair, view)};
   });
 }
 

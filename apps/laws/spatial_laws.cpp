@@ -253,8 +253,8 @@ Verdict check_penumbra_components(const SpatialCase& drawn, const Subject& subje
 }
 
 /// The generator of laws about those lights.
-auto pairs(Lights lights) {
-  return [lights](Domain domain) { return spatial_cases(domain, lights); };
+auto pairs(Lights lights, View view = View::any) {
+  return [=](Domain domain) { return spatial_cases(domain, lights, view); };
 }
 
 }  // namespace
@@ -273,7 +273,7 @@ std::vector<Law> spatial_laws() {
       law({"S3", "[CF91] Lemma 2",
            "A separating light plane has L and B on opposite closed sides, and on its positive side f = 1; for an area "
            "light on the plane itself too."},
-          pairs(Lights::with_extent), check_beyond_separating_light_plane),
+          pairs(Lights::with_extent, View::before_light), check_beyond_separating_light_plane),
       law({"S4", "[CF91] Theorem 2",
            "In B- and all separating half-spaces f < 1 strictly inside and f = 1 strictly outside; on the boundary f = "
            "1 "

@@ -1,11 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <iostream>
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "apps/laws/law.h"
 
@@ -25,6 +26,16 @@ class LawTest : public testing::Test {
               << outcome.cases << " cases, premise held in " << outcome.premise_held << "\n";
     EXPECT_FALSE(outcome.counterexample) << *outcome.counterexample;
     EXPECT_GE(outcome.premise_held, parameters.cases);
+    EXPECT_GE(outcome.premise_share(), 0.2);
+    if (law_.standing == Standing::refuted) expect_refuted(outcome);
+  }
+
+  void expect_refuted(const Outcome& found) const {
+    std::cout << "refuted by " << found.refuting << " of them\n";
+    EXPECT_GT(found.refuting, 0u);
+    const Outcome known = law_.known({});
+    EXPECT_GT(known.cases, 0u);
+    EXPECT_EQ(known.refuting, known.cases) << "a counterexample of the theory no longer refutes the claim";
   }
 
  private:
@@ -46,15 +57,33 @@ bool register_laws() {
 
 const bool registered = register_laws();
 
-TEST(Laws, AreListedOnceEach) {
+std::ptrdiff_t place_in_theory(const std::string& key) {
+  const std::vector<std::string> keys = all_keys();
+  return std::ranges::find(keys, key) - keys.begin();
+}
+
+std::vector<std::string> keys_without_entry() {
+  std::vector<std::string> missing = all_keys();
+  for (const Law& law : all_laws()) std::erase(missing, law.key);
+  return missing;
+}
+
+TEST(Laws, AreListedOnceEachInTheOrderOfTheTheory) {
   ASSERT_TRUE(registered);
-  std::set<std::string> keys;
-  for (const Law& law : all_laws()) EXPECT_TRUE(keys.insert(law.key).second) << law.key;
-  for (const char* key :
-       {"S1", "S2", "S3", "S4", "S5",  "S6", "S7", "S8", "S9", "S10", "S12", "S13", "S14", "P1", "P2", "P3", "P4", "P5",
-        "P6", "P7", "P8", "P9", "P10", "Q1", "Q2", "Q3", "Q4", "Q5",  "Q6",  "F3",  "F4",  "F5", "M1", "M2", "M3"}) {
-    EXPECT_TRUE(keys.contains(key)) << key;
-  }
+  std::vector<std::string> keys, expected = all_keys();
+  for (const Law& law : all_laws()) keys.push_back(law.key);
+  EXPECT_EQ(expected.size(), 50u);
+  for (const std::string& missing : keys_without_entry()) std::erase(expected, missing);
+  EXPECT_EQ(keys, expected);
+}
+
+/// Statements that have no entry yet.
+const std::vector<std::string> expected_missing{"S11", "S15", "M4", "M5", "E1", "E2", "E3", "E4", "E5", "E6", "E7"};
+
+TEST(Laws, HaveAnEntryForEveryStatementButThoseNamedHere) {
+  const std::vector<std::string> missing = keys_without_entry();
+  for (const std::string& key : missing) std::cout << "no entry yet: " << key << "\n";
+  EXPECT_TRUE(std::ranges::includes(expected_missing, missing, {}, place_in_theory, place_in_theory));
 }
 
 TEST(Laws, ShowTheSameForTheSameSeed) {
