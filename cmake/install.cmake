@@ -11,6 +11,8 @@ install(TARGETS gnomon_geometry gnomon_scene gnomon_shading EXPORT gnomonTargets
 install(TARGETS gnomon_viz EXPORT gnomonVizTargets)
 foreach(header IN ITEMS
     geometry/contact.h
+    geometry/discontinuity/event_name.h
+    geometry/discontinuity/receiver_mesh.h
     geometry/errors.h
     geometry/exact_number.h
     geometry/indices.h

@@ -1,0 +1,70 @@
+#pragma once
+
+/// A hierarchy of boxes, searched with half-spaces. Private to this folder.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/point.h"
+
+namespace gnomon::event {
+
+/// A half-space of which points certainly outside can be told, in doubles.
+///
+/// Exactness: `error` times the distance in the sum norm from `origin`, plus `offset`, bounds what the value at a point
+///            may be off.
+struct RoughHalfSpace {
+  std::array<double, 3> normal{};  ///< points inside
+  Point3 origin;
+  double error = 0;
+  double offset = 0;
+};
+
+/// The half-spaces on both sides of a plane through an origin, spanned by two vectors; `normal` is their cross product.
+/// The vectors are exact up to one rounding of each coordinate.
+RoughHalfSpace rough_half_space(const Point3& origin, const std::array<double, 3>& u, const std::array<double, 3>& v);
+
+/// The half-space bounded by the plane through `origin` along a vector and at right angles to another half-space's,
+/// that holds `inside`.
+RoughHalfSpace rough_side(const RoughHalfSpace& plane, const std::array<double, 3>& along, const Point3& origin,
+                          const Point3& inside);
+
+inline RoughHalfSpace reversed(RoughHalfSpace h) {
+  for (double& n : h.normal) n = -n;
+  return h;
+}
+
+/// The same plane with the side that holds `inside`; everything is let through where doubles do not tell.
+RoughHalfSpace turned_to(const RoughHalfSpace& plane, const Point3& inside);
+
+/// True if the point certainly lies outside.
+bool is_outside(const RoughHalfSpace& half_space, const Point3& point);
+
+/// Boxes by number.
+class BoxHierarchy {
+ public:
+  BoxHierarchy() = default;
+  explicit BoxHierarchy(std::vector<Box3> boxes);
+
+  /// Replaces `found` by the numbers of all boxes that meet all half-spaces, and some others, in no order.
+  /// Exactness: conservative; a box is left out only where it lies outside of one half-space beyond all rounding.
+  void search(std::span<const RoughHalfSpace> half_spaces, std::vector<std::uint32_t>& found) const;
+
+  const Box3& box(std::uint32_t i) const { return boxes_[i]; }
+
+ private:
+  struct Branch {
+    Box3 box;
+    std::uint32_t first = 0;  ///< leaf: first in order_; else the first child
+    std::uint32_t count = 0;  ///< leaf: number of boxes; else 0
+  };
+  void build(std::uint32_t branch, std::uint32_t first, std::uint32_t last);
+
+  std::vector<Box3> boxes_;
+  std::vector<std::uint32_t> order_;
+  std::vector<Branch> branches_;
+};
+
+}  // namespace gnomon::event

@@ -1,0 +1,133 @@
+#include "geometry/discontinuity/receiver_arrangement.h"
+
+#include <CGAL/Arr_consolidated_curve_data_traits_2.h>
+#include <CGAL/Arr_extended_dcel.h>
+#include <CGAL/Arr_segment_traits_2.h>
+#include <CGAL/Arrangement_2.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace gnomon::event {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using Traits = CGAL::Arr_consolidated_curve_data_traits_2<CGAL::Arr_segment_traits_2<Kernel>, std::uint32_t>;
+using Dcel = CGAL::Arr_extended_dcel<Traits, std::uint32_t, std::uint32_t, std::uint32_t>;
+using Arrangement = CGAL::Arrangement_2<Traits, Dcel>;
+using Point = Kernel::Point_2;
+using Number = Kernel::FT;
+using Vector = Kernel::Vector_2;
+
+Number cross(const Vector& a, const Vector& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+/// The nearest place where a ray meets an edge.
+class Shot {
+ public:
+  Shot(const Point& start, const Vector& way) : start_(start), way_(way) {}
+
+  void meet(const Point& p, const Point& q) {
+    const Vector to_p = p - start_, to_q = q - start_;
+    const Number at_p = cross(way_, to_p), at_q = cross(way_, to_q);
+    if (at_p == 0) keep(to_p * way_ / (way_ * way_));
+    if (at_q == 0) keep(to_q * way_ / (way_ * way_));
+    if (at_p == 0 || at_q == 0 || (at_p < 0) == (at_q < 0)) return;
+    keep(cross(to_p, to_q) / (at_q - at_p));
+  }
+
+  Point half_way() const { return start_ + *least_ / 2 * way_; }
+
+ private:
+  void keep(const Number& s) {
+    if (s > 0 && (!least_ || s < *least_)) least_ = s;
+  }
+
+  Point start_;
+  Vector way_;
+  std::optional<Number> least_;
+};
+
+}  // namespace
+
+struct ReceiverArrangement::Points {
+  std::vector<Point> list;
+};
+
+ReceiverArrangement::ReceiverArrangement(ReceiverArrangement&&) noexcept = default;
+ReceiverArrangement& ReceiverArrangement::operator=(ReceiverArrangement&&) noexcept = default;
+ReceiverArrangement::~ReceiverArrangement() = default;
+
+ReceiverArrangement::ReceiverArrangement(std::span<const FlatSegment> segments) : points_(std::make_unique<Points>()) {
+  std::vector<Traits::Curve_2> curves;
+  curves.reserve(segments.size());
+  for (const FlatSegment& s : segments) {
+    const Point p(Number(s.start.x), Number(s.start.y)), q(Number(s.end.x), Number(s.end.y));
+    curves.emplace_back(Kernel::Segment_2(p, q), s.name);
+  }
+  Arrangement arrangement;
+  CGAL::insert(arrangement, curves.begin(), curves.end());
+  for (auto v = arrangement.vertices_begin(); v != arrangement.vertices_end(); ++v) {
+    v->set_data(static_cast<std::uint32_t>(points_->list.size()));
+    points_->list.push_back(v->point());
+  }
+  std::uint32_t count = 0;
+  for (auto f = arrangement.faces_begin(); f != arrangement.faces_end(); ++f) {
+    f->set_data(f->is_unbounded() ? outside : count++);
+  }
+  faces_.resize(count);
+  for (auto e = arrangement.edges_begin(); e != arrangement.edges_end(); ++e) {
+    const auto number = static_cast<std::uint32_t>(edges_.size());
+    e->set_data(2 * number);
+    e->twin()->set_data(2 * number + 1);
+    Edge edge{e->source()->data(), e->target()->data(), e->face()->data(), e->twin()->face()->data(), {}};
+    edge.names.assign(e->curve().data().begin(), e->curve().data().end());
+    std::sort(edge.names.begin(), edge.names.end());
+    edges_.push_back(std::move(edge));
+  }
+  for (auto f = arrangement.faces_begin(); f != arrangement.faces_end(); ++f) {
+    if (f->is_unbounded()) continue;
+    const auto add = [&](Arrangement::Ccb_halfedge_const_circulator first) {
+      auto& cycle = faces_[f->data()].cycles.emplace_back();
+      auto edge = first;
+      do {
+        cycle.push_back(edge->data());
+      } while (++edge != first);
+    };
+    for (auto c = f->outer_ccbs_begin(); c != f->outer_ccbs_end(); ++c) add(*c);
+    for (auto c = f->inner_ccbs_begin(); c != f->inner_ccbs_end(); ++c) add(*c);
+  }
+}
+
+std::size_t ReceiverArrangement::vertex_count() const {
+  return points_->list.size();
+}
+
+FlatPoint ReceiverArrangement::point(std::uint32_t vertex) const {
+  const Point& p = points_->list[vertex];
+  return {Rational(CGAL::exact(p.x())), Rational(CGAL::exact(p.y()))};
+}
+
+FlatPoint ReceiverArrangement::inner_point(std::uint32_t face) const {
+  const auto ends = [&](EdgeUse use) {
+    const Edge& edge = edges_[use / 2];
+    const Point &p = points_->list[edge.source], &q = points_->list[edge.target];
+    return use % 2 == 0 ? std::pair(p, q) : std::pair(q, p);
+  };
+  const EdgeUse own = faces_[face].cycles[0][0];
+  const auto [p, q] = ends(own);
+  Shot shot(CGAL::midpoint(p, q), (q - p).perpendicular(CGAL::COUNTERCLOCKWISE));
+  for (const auto& cycle : faces_[face].cycles) {
+    for (const EdgeUse use : cycle) {
+      if (use == own) continue;
+      const auto [s, t] = ends(use);
+      shot.meet(s, t);
+    }
+  }
+  const Point found = shot.half_way();
+  return {Rational(CGAL::exact(found.x())), Rational(CGAL::exact(found.y()))};
+}
+
+}  // namespace gnomon::event

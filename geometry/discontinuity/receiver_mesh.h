@@ -1,0 +1,112 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "geometry/discontinuity/event_name.h"
+#include "geometry/exact_number.h"
+#include "geometry/point.h"
+#include "geometry/spatial/convex_blocker.h"
+#include "geometry/spatial/convex_polygon.h"
+#include "geometry/spatial/light.h"
+
+namespace gnomon {
+
+/// What a face of a receiver receives of a light. The numbers are those of the `region` arrays in output files.
+enum class ReceiverRegion : std::uint8_t {
+  lit = 0,
+  penumbra = 1,
+  umbra = 2,
+  unlit = 3,
+  unresolved_eee = 4,  ///< triple-edge events may cross the face: penumbra and umbra could both occur in it
+};
+
+inline constexpr std::size_t receiver_region_count = 5;
+
+constexpr std::string_view name(ReceiverRegion region) {
+  constexpr std::string_view names[] = {"lit", "penumbra", "umbra", "unlit", "unresolved_eee"};
+  return names[static_cast<int>(region)];
+}
+
+/// An edge as it is met when a face's boundary is walked along: 2 * edge forward, 2 * edge + 1 backward.
+using MeshEdgeUse = std::uint32_t;
+
+/// An open segment between two faces, or inside of one.
+struct MeshEdge {
+  static constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
+
+  std::uint32_t source = 0;
+  std::uint32_t target = 0;
+  std::uint32_t left = nowhere;      ///< the face on the left, seen from the front; `nowhere` beyond the border
+  std::uint32_t right = nowhere;     ///< the face on the right
+  std::vector<std::uint32_t> names;  ///< the events that run along it: indices into ReceiverMesh::names()
+};
+
+/// A face that no event crosses but triple-edge ones.
+struct MeshFace {
+  ReceiverRegion region = ReceiverRegion::lit;
+  std::vector<std::vector<MeshEdgeUse>> cycles;  ///< the face on the left; the outer cycle first, then holes
+};
+
+/// Connected faces of one region.
+struct RegionPolygon {
+  ReceiverRegion region = ReceiverRegion::lit;
+  std::vector<std::uint32_t> faces;
+  std::vector<std::vector<MeshEdgeUse>> cycles;  ///< the region on the left; the outer cycle first, then holes
+};
+
+/// An area: rounded, and exactly where it is rational.
+struct RegionArea {
+  double nearest = 0;  ///< nearest double where `exact` is given, else off by at most an ulp
+  std::optional<std::string> exact;
+};
+
+/// A receiver, divided by all discontinuities of what it receives of one light.
+///
+/// Definition: the faces between the traces of all events of theory section 6 but the triple-edge ones, and the
+///             receiver's border. Of a point on the receiver the limit from its front is meant.
+/// Exactness:  the structure, the labels and the areas are exact; coordinates are rounded once, when they leave.
+/// After:      [P93] §4.4.3, complete EV discontinuity meshing as of Heckbert and of Lischinski et al.
+class ReceiverMesh {
+ public:
+  /// Rounded to nearest.
+  std::vector<Point3> vertices() const;
+  std::size_t vertex_count() const;
+  const std::vector<MeshEdge>& edges() const;
+  const std::vector<MeshFace>& faces() const;
+  const std::vector<EventName>& names() const;
+
+  /// Connected components of equal region.
+  std::vector<RegionPolygon> regions() const;
+
+  /// The area of each region, in the order of ReceiverRegion, and of the whole receiver.
+  std::array<RegionArea, receiver_region_count> areas() const;
+  RegionArea area() const;
+
+  /// True if the areas of all regions sum up to the receiver's exactly. (They do; it is for tests.)
+  bool areas_add_up() const;
+
+  struct Data;
+  explicit ReceiverMesh(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
+  const Data& data() const { return *data_; }
+
+ private:
+  std::shared_ptr<const Data> data_;
+};
+
+/// Divides each receiver by what it receives of the light behind all blockers.
+///
+/// Requires: flat receivers; a flat area light.
+/// Returns:  one mesh for each receiver.
+/// Throws:   PreconditionError.
+/// Cost:     events are found by searching hierarchies, and traced where they reach a receiver.
+std::vector<ReceiverMesh> receiver_meshes(const Light& light, std::span<const ConvexBlocker> blockers,
+                                          std::span<const ConvexPolygon> receivers);
+
+}  // namespace gnomon

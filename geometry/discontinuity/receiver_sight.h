@@ -1,0 +1,56 @@
+#pragma once
+
+/// What the points of receivers see of the light. Private to this folder.
+
+#include <span>
+#include <vector>
+
+#include "geometry/discontinuity/event_scene.h"
+#include "geometry/discontinuity/receiver_plane.h"
+#include "geometry/visibility/hidden_set.h"
+#include "geometry/visibility/visible_part.h"
+
+namespace gnomon::event {
+
+/// The region of a face, and whether it is known to be that of all its points.
+struct FaceRegion {
+  Region region = Region::lit;
+  bool is_certain = true;
+};
+
+/// Answers for one receiver.
+///
+/// Definition: of a point on the receiver the limit from its front is meant.
+/// Exactness:  rational arithmetic.
+class ReceiverSight {
+ public:
+  ReceiverSight(const EventScene& scene, const Light& light, std::span<const ConvexBlocker> blockers,
+                std::uint32_t receiver, const ReceiverPlane& plane)
+      : scene_(scene), light_(light), blockers_(blockers), receiver_(scene.receivers[receiver]), plane_(plane) {}
+
+  /// What a point sees.
+  VisiblePart visible_from(const ExactVector& p);
+
+  /// The region of a face that no traced event crosses, given a point inside and its vertices.
+  ///
+  /// Definition: it is certain if the same is seen from each of its points up to triple-edge events, and one of these
+  ///             holds: region lit or unlit; a vertex of the light or a blocker is seen; one blocker hides all of the
+  ///             light from all of the face; no three edges can be in line with a point of the face and the light.
+  FaceRegion region_of_face(const ExactVector& inside, std::span<const ExactVector> vertices);
+
+ private:
+  void collect_near(const ExactVector& p);
+  void collect_in_shaft(std::span<const ExactVector> face);
+  std::vector<HidingCondition> hiding(ShapeId shape, const ExactVector& p) const;
+  bool shows_vertex(const VisiblePart& part, const ExactVector& p) const;
+  bool is_hidden_by_one(std::span<const ExactVector> face) const;
+
+  const EventScene& scene_;
+  const Light& light_;
+  std::span<const ConvexBlocker> blockers_;
+  const Shape& receiver_;
+  const ReceiverPlane& plane_;
+  std::vector<std::uint32_t> near_;
+};
+
+}  // namespace gnomon::event

@@ -1,0 +1,196 @@
+#include "geometry/discontinuity/wedge.h"
+
+#include <algorithm>
+
+namespace gnomon::event {
+namespace {
+
+std::array<double, 3> difference(const Point3& a, const Point3& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+/// Finds the edges that may be in line with a vertex and the light.
+class EdgeSearch {
+ public:
+  explicit EdgeSearch(const EventScene& scene) : scene_(scene) {}
+
+  /// The edges between the vertex and the light, or those beyond the vertex.
+  const std::vector<EdgeId>& edges(const BlockerVertex& vertex, int side, WedgeKind kind) {
+    const Point3& v = scene_.points[vertex.point].input;
+    half_spaces_.clear();
+    const std::size_t n = scene_.light_edges.size();
+    for (std::size_t k = 0; k < n; ++k) {
+      const Point3& c = scene_.points[scene_.light_edges[k].a].input;
+      const Point3& d = scene_.points[scene_.light_edges[k].b].input;
+      const Point3& inside = scene_.points[scene_.light_edges[(k + 1) % n].b].input;
+      const RoughHalfSpace h = turned_to(rough_half_space(v, difference(c, v), difference(d, v)), inside);
+      half_spaces_.push_back(kind == WedgeKind::edge_first ? h : reversed(h));
+    }
+    if (kind == WedgeKind::edge_first) half_spaces_.push_back(before_light(side));
+    scene_.shape_boxes.search(half_spaces_, found_);
+    collect(vertex);
+    return edges_;
+  }
+
+ private:
+  RoughHalfSpace before_light(int side) const {
+    const Point3 &p = scene_.points[scene_.light_plane[0]].input, &q = scene_.points[scene_.light_plane[1]].input,
+                 &r = scene_.points[scene_.light_plane[2]].input;
+    const RoughHalfSpace h = rough_half_space(p, difference(q, p), difference(r, p));
+    return side > 0 ? h : reversed(h);
+  }
+
+  bool may_meet(const BlockerEdge& edge) const {
+    const Point3 &a = scene_.points[edge.a].input, &b = scene_.points[edge.b].input;
+    return std::none_of(half_spaces_.begin(), half_spaces_.end(),
+                        [&](const RoughHalfSpace& h) { return is_outside(h, a) && is_outside(h, b); });
+  }
+
+  void collect(const BlockerVertex& vertex) {
+    edges_.clear();
+    for (const std::uint32_t s : found_) {
+      // A vertex and an edge of one convex set are in line only in a plane that is an event of its own.
+      if (std::find(vertex.shapes.begin(), vertex.shapes.end(), s) != vertex.shapes.end()) continue;
+      for (const ShapeEdge& e : scene_.shapes[s].edges) {
+        const BlockerEdge& edge = scene_.edges[e.edge];
+        if (edge.may_be_seen && may_meet(edge) && !shares_shape(vertex, edge)) edges_.push_back(e.edge);
+      }
+    }
+    std::sort(edges_.begin(), edges_.end());
+    edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
+  }
+
+  static bool shares_shape(const BlockerVertex& vertex, const BlockerEdge& edge) {
+    return std::any_of(edge.faces.begin(), edge.faces.end(), [&](const FaceAtEdge& face) {
+      return std::find(vertex.shapes.begin(), vertex.shapes.end(), face.shape) != vertex.shapes.end();
+    });
+  }
+
+  const EventScene& scene_;
+  std::vector<RoughHalfSpace> half_spaces_;
+  std::vector<std::uint32_t> found_;
+  std::vector<EdgeId> edges_;
+};
+
+bool is_served(const EventScene& scene, int side) {
+  return side > 0 || (side < 0 && scene.is_two_sided);
+}
+
+void wedges_from_light_vertices(const EventScene& scene, const std::function<void(const Wedge&)>& take) {
+  for (EdgeId e = 0; e < scene.edges.size(); ++e) {
+    const BlockerEdge& edge = scene.edges[e];
+    if (!edge.may_be_seen) continue;
+    if (!is_served(scene, scene.light_side(edge.a)) && !is_served(scene, scene.light_side(edge.b))) continue;
+    for (std::uint32_t l = 0; l < scene.light_vertices.size(); ++l) {
+      take({WedgeKind::from_light_vertex, scene.light_vertices[l].point, edge.a, edge.b, l, e});
+    }
+  }
+}
+
+void wedges_at_vertex(const EventScene& scene, std::uint32_t v, EdgeSearch& search,
+                      const std::function<void(const Wedge&)>& take) {
+  const BlockerVertex& vertex = scene.vertices[v];
+  const int side = scene.light_side(vertex.point);
+  if (!vertex.may_be_seen || !is_served(scene, side)) return;
+  for (std::uint32_t e = 0; e < scene.light_edges.size(); ++e) {
+    const LightEdge& edge = scene.light_edges[e];
+    take({WedgeKind::from_light_edge, vertex.point, edge.a, edge.b, v, e});
+  }
+  if (scene.kind != LightKind::area) return;
+  for (const WedgeKind kind : {WedgeKind::edge_first, WedgeKind::apex_first}) {
+    for (const EdgeId e : search.edges(vertex, side, kind)) {
+      const BlockerEdge& edge = scene.edges[e];
+      take({kind, vertex.point, edge.a, edge.b, v, e});
+    }
+  }
+}
+
+/// Sides of points of a plane: all on one closed side, the other, or both.
+struct Sides {
+  bool above = false;
+  bool below = false;
+
+  void add(int side) {
+    above = above || side > 0;
+    below = below || side < 0;
+  }
+  bool cut() const { return above && below; }
+};
+
+Extremal extremal(const EventScene& scene, const Wedge& wedge, const Shape& shape) {
+  const auto side = [&](PointId p) {
+    if (p == wedge.apex || p == wedge.a || p == wedge.b) return 0;
+    return orientation(scene.points[wedge.apex], scene.points[wedge.a], scene.points[wedge.b], scene.points[p]);
+  };
+  Sides light, blocker;
+  for (const LightVertex& v : scene.light_vertices) light.add(side(v.point));
+  for (const PointId p : shape.corners) blocker.add(side(p));
+  if (light.cut() || blocker.cut()) return Extremal::none;
+  const bool same = (light.above && blocker.above) || (light.below && blocker.below);
+  if (!same) return Extremal::occlusion;
+  return wedge.kind == WedgeKind::from_light_vertex ? Extremal::umbra : Extremal::none;
+}
+
+bool is_on_plane(const EventScene& scene, const Wedge& wedge, PointId p) {
+  if (p == wedge.apex || p == wedge.a || p == wedge.b) return true;
+  return orientation(scene.points[wedge.apex], scene.points[wedge.a], scene.points[wedge.b], scene.points[p]) == 0;
+}
+
+/// True if an edge at the vertex lies in the plane of vertex and edge, or the edge's face does where the plane cuts the
+/// light.
+bool is_coplanar(const EventScene& scene, const Wedge& wedge) {
+  if (wedge.kind == WedgeKind::from_light_vertex) {
+    for (const LightEdge& e : scene.light_edges) {
+      if (e.a != wedge.apex && e.b != wedge.apex) continue;
+      if (is_on_plane(scene, wedge, e.a == wedge.apex ? e.b : e.a)) return true;
+    }
+    Sides light;
+    for (const LightVertex& v : scene.light_vertices) {
+      if (!is_on_plane(scene, wedge, v.point)) {
+        light.add(
+            orientation(scene.points[wedge.apex], scene.points[wedge.a], scene.points[wedge.b], scene.points[v.point]));
+      }
+    }
+    const auto& faces = scene.edges[wedge.edge].faces;
+    return light.cut() && std::any_of(faces.begin(), faces.end(),
+                                      [&](const FaceAtEdge& f) { return is_on_plane(scene, wedge, f.third); });
+  }
+  for (const EdgeId e : scene.vertices[wedge.vertex].edges) {
+    const BlockerEdge& edge = scene.edges[e];
+    const PointId other = edge.a == wedge.apex ? edge.b : edge.a;
+    if (is_on_plane(scene, wedge, other)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void for_each_wedge(const EventScene& scene, const std::function<void(const Wedge&)>& take) {
+  wedges_from_light_vertices(scene, take);
+  if (scene.kind == LightKind::point || scene.kind == LightKind::direction) return;
+  EdgeSearch search(scene);
+  for (std::uint32_t v = 0; v < scene.vertices.size(); ++v) wedges_at_vertex(scene, v, search, take);
+}
+
+EventName event_name(const EventScene& scene, const Wedge& wedge) {
+  EventName name;
+  const bool from_vertex = wedge.kind == WedgeKind::from_light_vertex;
+  const bool from_edge = wedge.kind == WedgeKind::from_light_edge;
+  name.vertex = from_vertex ? scene.light_vertices[wedge.vertex].name : scene.vertices[wedge.vertex].name;
+  name.edge = from_edge ? scene.light_edges[wedge.edge].name : scene.edges[wedge.edge].name;
+  const int generic = scene.kind == LightKind::area ? 2 : scene.kind == LightKind::linear ? 1 : 0;
+  name.order = static_cast<std::uint8_t>(generic > 0 && is_coplanar(scene, wedge) ? generic - 1 : generic);
+  // Of several blockers that share the element, one is enough.
+  std::vector<ShapeId> shapes;
+  if (from_edge) shapes = scene.vertices[wedge.vertex].shapes;
+  if (from_vertex) {
+    for (const FaceAtEdge& face : scene.edges[wedge.edge].faces) shapes.push_back(face.shape);
+  }
+  for (const ShapeId shape : shapes) {
+    const Extremal found = extremal(scene, wedge, scene.shapes[shape]);
+    if (name.extremal == Extremal::none) name.extremal = found;
+  }
+  return name;
+}
+
+}  // namespace gnomon::event

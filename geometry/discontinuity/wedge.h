@@ -1,0 +1,95 @@
+#pragma once
+
+/// Wedges: the lines through a vertex and an edge that come from the light, beyond the farther of the two. Private to
+/// this folder.
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "geometry/discontinuity/event_scene.h"
+
+namespace gnomon::event {
+
+/// Which way light passes the apex and the edge.
+enum class WedgeKind : std::uint8_t {
+  from_light_vertex,  ///< from the apex, a vertex of the light, past a blocker's edge
+  from_light_edge,    ///< from the edge, one of the light, past the apex, a blocker's vertex
+  edge_first,         ///< past a blocker's edge, then past the apex, a blocker's vertex
+  apex_first,         ///< past the apex, a blocker's vertex, then past a blocker's edge
+};
+
+/// A vertex and an edge in line.
+struct Wedge {
+  WedgeKind kind = WedgeKind::from_light_vertex;
+  PointId apex = 0;
+  PointId a = 0;
+  PointId b = 0;
+  std::uint32_t vertex = 0;  ///< index among the light's or the blockers' vertices
+  std::uint32_t edge = 0;    ///< index among the light's or the blockers' edges
+};
+
+/// Calls `take` with every wedge that may reach the light and something beyond, and with some others.
+///
+/// Cost: for each blocker's vertex two searches with the pyramid between it and the light.
+void for_each_wedge(const EventScene& scene, const std::function<void(const Wedge&)>& take);
+
+/// The event's name, its order and whether it is extremal.
+EventName event_name(const EventScene& scene, const Wedge& wedge);
+
+/// A part of a receiver's plane along which a wedge meets it: a segment, by homogeneous coordinates of its ends.
+struct Trace {
+  std::uint32_t receiver = 0;
+  std::uint32_t name = 0;
+  std::array<Quadruple<ExactReal>, 2> ends;
+};
+
+/// Traces wedges on receivers.
+///
+/// Definition: the trace holds every point of the receiver from which vertex and edge are in line with a point of the
+///             light, in the right order, and no blocker is in between: none has a point of its (relative) inside on
+///             the open segment, or all of a neighbourhood would be. What touches the segment only does not stop it.
+/// Exactness:  exact.
+class WedgeTracer {
+ public:
+  explicit WedgeTracer(const EventScene& scene) : scene_(scene) {}
+
+  /// Appends the traces of positive length, with `name` 0.
+  void append_traces(const Wedge& wedge, std::vector<Trace>& traces);
+
+ private:
+  struct Obstacle {
+    ShapeId shape = 0;
+    std::vector<NodeId> polygon;
+    RayRange range;
+  };
+  using Nodes = std::vector<NodeId>;
+
+  bool is_between_faces(const Pencil& pencil, const Wedge& wedge) const;
+  void set_half_spaces(const Wedge& wedge);
+  bool section(Pencil& pencil, const Shape& shape, Nodes& nodes) const;
+  Nodes light_section(Pencil& pencil) const;
+  bool passes_through_apex(const Pencil& pencil, const Nodes& segment) const;
+  bool is_before_light(Pencil& pencil, const Wedge& wedge, const Shape& shape, Nodes& nodes);
+  bool find_allowed(Pencil& pencil, const Wedge& wedge);
+  bool subtract_towards_light(Pencil& pencil, const Wedge& wedge, Cone cone);
+  bool collect_obstacles(Pencil& pencil, const Wedge& wedge, Cone cone);
+  void trace_on(Pencil& pencil, const Wedge& wedge, Cone cone, std::uint32_t receiver, std::vector<Trace>& traces);
+  bool receiver_range(Pencil& pencil, const Wedge& wedge, Cone cone, const Shape& receiver, RayRange& range);
+  void append_blocked(Pencil& pencil, const Shape& receiver, FunctionId plane, bool from_front, const RayRange& range,
+                      Cone cone);
+  FunctionId light_function(Pencil& pencil, const Wedge& wedge);
+
+  const EventScene& scene_;
+  std::vector<RayRange> allowed_;
+  std::vector<RayRange> blocked_;
+  std::vector<Obstacle> obstacles_;
+  std::vector<std::uint32_t> found_;
+  std::vector<std::uint32_t> found_receivers_;
+  std::array<RoughHalfSpace, 5>
+      half_spaces_;  ///< both sides of the plane, both of the cone, the edge's side of the apex
+  std::optional<FunctionId> light_function_;
+};
+
+}  // namespace gnomon::event

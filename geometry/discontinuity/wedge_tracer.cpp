@@ -1,0 +1,327 @@
+#include <algorithm>
+
+#include "geometry/discontinuity/ray_ranges.h"
+#include "geometry/discontinuity/wedge.h"
+
+namespace gnomon::event {
+namespace {
+
+std::array<double, 3> direction(const EventPoint& from, const Point3& to) {
+  if (from.kind == EventPoint::Kind::direction) return {from.input.x, from.input.y, from.input.z};
+  return {to.x - from.input.x, to.y - from.input.y, to.z - from.input.z};
+}
+
+Cone opposite(Cone cone) {
+  return cone == Cone::towards ? Cone::away : Cone::towards;
+}
+
+/// The half of the lines beyond the farther element, where receivers are.
+Cone receivers_cone(WedgeKind kind) {
+  return kind == WedgeKind::from_light_vertex || kind == WedgeKind::apex_first ? Cone::towards : Cone::away;
+}
+
+}  // namespace
+
+void WedgeTracer::set_half_spaces(const Wedge& wedge) {
+  const EventPoint& v = scene_.points[wedge.apex];
+  const Point3 &a = scene_.points[wedge.a].input, &b = scene_.points[wedge.b].input;
+  const auto to_a = direction(v, a), to_b = direction(v, b);
+  const std::array<double, 3> along{b.x - a.x, b.y - a.y, b.z - a.z};
+  half_spaces_[0] = rough_half_space(a, to_a, along);
+  half_spaces_[1] = reversed(half_spaces_[0]);
+  half_spaces_[2] = rough_side(half_spaces_[0], to_a, a, b);
+  half_spaces_[3] = rough_side(half_spaces_[0], to_b, b, a);
+  const bool finite = v.kind == EventPoint::Kind::input;
+  const Point3 side{a.x + to_a[0], a.y + to_a[1], a.z + to_a[2]};
+  half_spaces_[4] = rough_side(half_spaces_[0], along, a, finite ? v.input : side);
+}
+
+/// An edge between two faces, one on either side, is no part of an outline.
+bool WedgeTracer::is_between_faces(const Pencil& pencil, const Wedge& wedge) const {
+  if (wedge.kind == WedgeKind::from_light_edge) return false;
+  bool above = false, below = false;
+  for (const FaceAtEdge& face : scene_.edges[wedge.edge].faces) {
+    const int side = pencil.side(face.third);
+    above = above || side > 0;
+    below = below || side < 0;
+  }
+  return above && below;
+}
+
+/// The part of a shape in the pencil's plane, if the plane cuts it in two.
+bool WedgeTracer::section(Pencil& pencil, const Shape& shape, Nodes& nodes) const {
+  nodes.clear();
+  std::array<int, 16> few{};
+  std::vector<int> many;
+  const std::size_t n = shape.corners.size();
+  if (n > few.size()) many.resize(n);
+  int* sides = n > few.size() ? many.data() : few.data();
+  bool above = false, below = false;
+  for (std::size_t k = 0; k < n; ++k) {
+    sides[k] = pencil.side(shape.corners[k]);
+    above = above || sides[k] > 0;
+    below = below || sides[k] < 0;
+  }
+  if (!above || !below) return false;
+  const auto side_of = [&](PointId p) {
+    return sides[std::find(shape.corners.begin(), shape.corners.end(), p) - shape.corners.begin()];
+  };
+  if (!shape.is_solid) {
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::size_t next = (k + 1) % n;
+      if (sides[k] == 0) nodes.push_back(pencil.add_point(shape.corners[k]));
+      if (sides[k] * sides[next] < 0) {
+        const bool falls = sides[k] > 0;
+        nodes.push_back(pencil.add_crossing(shape.corners[falls ? k : next], shape.corners[falls ? next : k]));
+      }
+    }
+    return true;
+  }
+  // Each facet that is cut joins two nodes; they make a cycle.
+  struct Made {
+    PointId p, q;
+    NodeId node;
+  };
+  std::vector<Made> made;
+  const auto node_on = [&](PointId p, PointId q) {
+    const auto [low, high] = std::minmax(p, q);
+    for (const Made& m : made) {
+      if (m.p == low && m.q == high) return m.node;
+    }
+    const NodeId node = p == q           ? pencil.add_point(p)
+                        : side_of(p) > 0 ? pencil.add_crossing(p, q)
+                                         : pencil.add_crossing(q, p);
+    made.push_back({low, high, node});
+    return node;
+  };
+  std::vector<std::pair<NodeId, NodeId>> links;
+  for (const auto& loop : shape.facets) {
+    NodeId ends[2] = {0, 0};
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const PointId p = loop[k], q = loop[(k + 1) % loop.size()];
+      const int s = side_of(p), t = side_of(q);
+      if (s != 0 && s * t >= 0) continue;
+      if (count < 2) ends[count] = node_on(p, s == 0 ? p : q);
+      ++count;
+    }
+    if (count != 2) continue;
+    const std::pair<NodeId, NodeId> link = std::minmax(ends[0], ends[1]);
+    if (std::find(links.begin(), links.end(), link) == links.end()) links.push_back(link);
+  }
+  NodeId at = links.front().second;
+  nodes.push_back(links.front().first);
+  links.erase(links.begin());
+  while (!links.empty()) {
+    nodes.push_back(at);
+    const auto next =
+        std::find_if(links.begin(), links.end(), [&](const auto& l) { return l.first == at || l.second == at; });
+    if (next == links.end()) break;
+    at = next->first == at ? next->second : next->first;
+    links.erase(next);
+  }
+  return true;
+}
+
+WedgeTracer::Nodes WedgeTracer::light_section(Pencil& pencil) const {
+  Nodes nodes;
+  for (const LightEdge& edge : scene_.light_edges) {
+    const int s = pencil.side(edge.a), t = pencil.side(edge.b);
+    if (s == 0) nodes.push_back(pencil.add_point(edge.a));
+    if (s * t < 0) nodes.push_back(s > 0 ? pencil.add_crossing(edge.a, edge.b) : pencil.add_crossing(edge.b, edge.a));
+  }
+  return nodes;
+}
+
+bool WedgeTracer::passes_through_apex(const Pencil& pencil, const Nodes& segment) const {
+  if (segment.size() != 2) return false;
+  const Ray p{segment[0], Cone::towards}, q{segment[1], Cone::towards};
+  if (pencil.order(p, q) != 0) return false;
+  const auto opposite_in = [&](FunctionId f) { return pencil.sign(f, p.node) * pencil.sign(f, q.node) < 0; };
+  return opposite_in(Pencil::y) || opposite_in(Pencil::z);
+}
+
+FunctionId WedgeTracer::light_function(Pencil& pencil, const Wedge& wedge) {
+  if (!light_function_) {
+    const int side = wedge.kind == WedgeKind::from_light_vertex ? 1 : scene_.light_side(wedge.apex);
+    light_function_ = pencil.add_plane(scene_.light_plane, side);
+  }
+  return *light_function_;
+}
+
+/// Keeps of a section what lies on the apex's side of the light's plane. Returns: false if nothing does.
+bool WedgeTracer::is_before_light(Pencil& pencil, const Wedge& wedge, const Shape& shape, Nodes& nodes) {
+  if (shape.is_in_front && shape.is_behind) return pencil.clip(nodes, light_function(pencil, wedge), 1);
+  if (!shape.is_in_front && !shape.is_behind) return false;
+  return !scene_.is_two_sided ? shape.is_in_front : shape.is_in_front == (scene_.light_side(wedge.apex) > 0);
+}
+
+/// Takes away the lines that are blocked between the apex and the light. Returns: false if none is left.
+bool WedgeTracer::subtract_towards_light(Pencil& pencil, const Wedge& wedge, Cone cone) {
+  const bool to_edge = wedge.kind == WedgeKind::from_light_edge;
+  std::array<RoughHalfSpace, 5> region = half_spaces_;
+  if (cone == Cone::away) {
+    region[2] = reversed(region[2]);
+    region[3] = reversed(region[3]);
+  }
+  scene_.shape_boxes.search(std::span(region).first(to_edge ? 5 : 4), found_);
+  blocked_.clear();
+  Nodes nodes;
+  for (const std::uint32_t s : found_) {
+    const Shape& shape = scene_.shapes[s];
+    if (!section(pencil, shape, nodes)) continue;
+    if (!shape.is_solid && passes_through_apex(pencil, nodes)) return false;
+    if (!pencil.clip_to(nodes, cone)) continue;
+    if (to_edge && !pencil.clip(nodes, Pencil::x, 1)) continue;
+    if (!to_edge && !is_before_light(pencil, wedge, shape, nodes)) continue;
+    if (const auto range = pencil.range(nodes, cone)) blocked_.push_back(*range);
+  }
+  subtract(pencil, blocked_, allowed_);
+  return !allowed_.empty();
+}
+
+/// The lines from the light that reach the far side of the apex. Returns: false if there are none.
+bool WedgeTracer::find_allowed(Pencil& pencil, const Wedge& wedge) {
+  const Cone cone = receivers_cone(wedge.kind);
+  allowed_.assign(1, {{Pencil::end_a, Cone::towards}, {Pencil::end_b, Cone::towards}});
+  if (wedge.kind == WedgeKind::from_light_vertex) return true;
+  if (wedge.kind != WedgeKind::from_light_edge) {
+    Nodes light = light_section(pencil);
+    if (light.size() < 2 || !pencil.clip_to(light, opposite(cone))) return false;
+    if (wedge.kind == WedgeKind::edge_first && !pencil.clip(light, Pencil::x, -1)) return false;
+    const auto range = pencil.range(light, opposite(cone));
+    if (!range || !intersect(pencil, allowed_[0], *range)) return false;
+  }
+  return subtract_towards_light(pencil, wedge, opposite(cone));
+}
+
+/// Returns: false if a blocker on the apex stops every line.
+bool WedgeTracer::collect_obstacles(Pencil& pencil, const Wedge& wedge, Cone cone) {
+  std::array<RoughHalfSpace, 5> region = half_spaces_;
+  if (cone == Cone::away) {
+    region[2] = reversed(region[2]);
+    region[3] = reversed(region[3]);
+  }
+  scene_.shape_boxes.search(std::span(region).first(4), found_);
+  obstacles_.clear();
+  Nodes nodes;
+  for (const std::uint32_t s : found_) {
+    const Shape& shape = scene_.shapes[s];
+    if (!section(pencil, shape, nodes)) continue;
+    const bool on_apex = !shape.is_solid && wedge.kind != WedgeKind::from_light_vertex;
+    if (on_apex && passes_through_apex(pencil, nodes)) return false;
+    if (!pencil.clip_to(nodes, cone)) continue;
+    if (const auto range = pencil.range(nodes, cone)) obstacles_.push_back({s, nodes, *range});
+  }
+  return true;
+}
+
+bool WedgeTracer::receiver_range(Pencil& pencil, const Wedge& wedge, Cone cone, const Shape& receiver,
+                                 RayRange& range) {
+  Nodes nodes;
+  if (!section(pencil, receiver, nodes) || !pencil.clip_to(nodes, cone)) return false;
+  if (cone == Cone::towards && !pencil.clip(nodes, Pencil::x, -1)) return false;
+  if (wedge.kind == WedgeKind::from_light_vertex && scene_.kind == LightKind::area && !scene_.is_two_sided &&
+      !pencil.clip(nodes, light_function(pencil, wedge), 1)) {
+    return false;
+  }
+  const auto found = pencil.range(nodes, cone);
+  if (found) range = *found;
+  return found.has_value();
+}
+
+/// The lines that are blocked before they come to the receiver.
+void WedgeTracer::append_blocked(Pencil& pencil, const Shape& receiver, FunctionId plane, bool from_front,
+                                 const RayRange& range, Cone cone) {
+  static_cast<void>(receiver);
+  for (const Obstacle& obstacle : obstacles_) {
+    RayRange common = range;
+    if (!intersect(pencil, common, obstacle.range)) continue;
+    bool before = false, behind = false;
+    for (const NodeId node : obstacle.polygon) {
+      const int side = pencil.sign(plane, node);
+      before = before || side > 0;
+      behind = behind || side < 0;
+    }
+    if (!before) {
+      // A flat blocker on the receiver hides it from behind.
+      const bool lies_on_it = !behind && !scene_.shapes[obstacle.shape].is_solid;
+      if (lies_on_it && !from_front) blocked_.push_back(obstacle.range);
+      continue;
+    }
+    if (!behind) {
+      blocked_.push_back(obstacle.range);
+      continue;
+    }
+    Nodes nodes = obstacle.polygon;
+    if (!pencil.clip(nodes, plane, 1)) continue;
+    if (const auto part = pencil.range(nodes, cone)) blocked_.push_back(*part);
+  }
+}
+
+namespace {
+
+/// Where a line of the pencil meets a plane given by its values at apex, a and b.
+Quadruple<ExactReal> point_on_plane(std::span<const EventPoint> points, const Pencil& pencil, const Ray& ray,
+                                    const std::array<ExactReal, 3>& plane) {
+  const auto e = pencil.exact(ray.node);
+  const ExactReal share = -(plane[1] * e[1] + plane[2] * e[2]);
+  const ExactReal y = plane[0] * e[1], z = plane[0] * e[2];
+  const auto v = coordinates<ExactReal>(points[pencil.apex()]), a = coordinates<ExactReal>(points[pencil.a()]),
+             b = coordinates<ExactReal>(points[pencil.b()]);
+  Quadruple<ExactReal> result;
+  for (std::size_t k = 0; k < 4; ++k) result[k] = share * v[k] + y * a[k] + z * b[k];
+  if (CGAL::sign(result[3]) == CGAL::NEGATIVE) {
+    for (ExactReal& c : result) c = -c;
+  }
+  return result;
+}
+
+}  // namespace
+
+void WedgeTracer::trace_on(Pencil& pencil, const Wedge& wedge, Cone cone, std::uint32_t r, std::vector<Trace>& traces) {
+  const Shape& receiver = scene_.receivers[r];
+  RayRange range;
+  if (!receiver_range(pencil, wedge, cone, receiver, range)) return;
+  const std::array<PointId, 3> corners{receiver.corners[0], receiver.corners[1], receiver.corners[2]};
+  const int side = orientation(scene_.points[corners[0]], scene_.points[corners[1]], scene_.points[corners[2]],
+                               scene_.points[wedge.apex]);
+  if (side == 0) return;
+  std::vector<RayRange> left;
+  for (RayRange part : allowed_) {
+    if (intersect(pencil, part, range)) left.push_back(part);
+  }
+  if (left.empty()) return;
+  const FunctionId plane = pencil.add_plane(corners, side);
+  blocked_.clear();
+  append_blocked(pencil, receiver, plane, side > 0, range, cone);
+  subtract(pencil, blocked_, left);
+  if (left.empty()) return;
+  const auto values = pencil.exact_function(plane);
+  for (const RayRange& part : left) {
+    traces.push_back({r,
+                      0,
+                      {point_on_plane(scene_.points, pencil, part.first, values),
+                       point_on_plane(scene_.points, pencil, part.last, values)}});
+  }
+}
+
+void WedgeTracer::append_traces(const Wedge& wedge, std::vector<Trace>& traces) {
+  Pencil pencil(scene_.points, wedge.apex, wedge.a, wedge.b);
+  if (!pencil.is_plane() || is_between_faces(pencil, wedge)) return;
+  light_function_.reset();
+  set_half_spaces(wedge);
+  if (!find_allowed(pencil, wedge)) return;
+  const Cone cone = receivers_cone(wedge.kind);
+  std::array<RoughHalfSpace, 5> region = half_spaces_;
+  region[4] = reversed(region[4]);
+  if (cone == Cone::away) {
+    region[2] = reversed(region[2]);
+    region[3] = reversed(region[3]);
+  }
+  scene_.receiver_boxes.search(std::span(region).first(cone == Cone::towards ? 5 : 4), found_receivers_);
+  if (found_receivers_.empty() || !collect_obstacles(pencil, wedge, cone)) return;
+  for (const std::uint32_t r : found_receivers_) trace_on(pencil, wedge, cone, r, traces);
+}
+
+}  // namespace gnomon::event

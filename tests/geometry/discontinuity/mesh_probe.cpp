@@ -1,0 +1,97 @@
+#include "tests/geometry/discontinuity/mesh_probe.h"
+
+#include <algorithm>
+
+namespace gnomon {
+namespace {
+
+/// Twice the winding number of a cycle around a point; nothing if the point lies on it.
+std::optional<int> doubled_winding(const ReceiverMesh::Data& data, const std::vector<MeshEdgeUse>& cycle,
+                                   const event::FlatPoint& p) {
+  int doubled = 0;
+  for (const MeshEdgeUse use : cycle) {
+    const MeshEdge& edge = data.edges[use / 2];
+    event::FlatPoint a = data.point(edge.source), b = data.point(edge.target);
+    if (use % 2 == 1) std::swap(a, b);
+    const Rational turn = (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+    const bool between = (a.x <= p.x && p.x <= b.x) || (b.x <= p.x && p.x <= a.x);
+    const bool level = (a.y <= p.y && p.y <= b.y) || (b.y <= p.y && p.y <= a.y);
+    if (turn == 0 && between && level) return std::nullopt;
+    const int rise = (b.y > p.y ? 1 : b.y < p.y ? -1 : 0) - (a.y > p.y ? 1 : a.y < p.y ? -1 : 0);
+    if (rise != 0 && ((turn > 0) == (rise > 0))) doubled += rise;
+  }
+  return doubled;
+}
+
+}  // namespace
+
+std::optional<std::uint32_t> face_at(const ReceiverMesh& mesh, const ExactVector& point) {
+  const event::FlatPoint p = mesh.data().plane.flat(point);
+  for (std::uint32_t f = 0; f < mesh.faces().size(); ++f) {
+    int doubled = 0;
+    for (const auto& cycle : mesh.faces()[f].cycles) {
+      const auto winding = doubled_winding(mesh.data(), cycle, p);
+      if (!winding) return std::nullopt;
+      doubled += *winding;
+    }
+    if (doubled != 0) return f;
+  }
+  return std::nullopt;
+}
+
+ConvexPolygon rectangle(double x0, double y0, double x1, double y1, double z, Facing facing) {
+  std::vector<Point3> points{{x0, y0, z}, {x1, y0, z}, {x1, y1, z}, {x0, y1, z}};
+  if (facing == Facing::down) std::reverse(points.begin(), points.end());
+  return ConvexPolygon::from_points(points);
+}
+
+ConvexBlocker box(const Point3& low, const Point3& high) {
+  std::vector<Point3> points;
+  for (const double x : {low.x, high.x}) {
+    for (const double y : {low.y, high.y}) {
+      for (const double z : {low.z, high.z}) points.push_back({x, y, z});
+    }
+  }
+  return ConvexSolid::hull_of(points);
+}
+
+ConvexBlocker turned_box(double x, double y, double z0, double z1, double c, double s) {
+  std::vector<Point3> points;
+  for (const double z : {z0, z1}) {
+    points.push_back({x + c, y + s, z});
+    points.push_back({x - s, y + c, z});
+    points.push_back({x - c, y - s, z});
+    points.push_back({x + s, y - c, z});
+  }
+  return ConvexSolid::hull_of(points);
+}
+
+AreaLight lamp(ConvexPolygon polygon) {
+  return {std::move(polygon), false};
+}
+
+ProbeResult compare_with_definition(const ReceiverMesh& mesh, const ConvexPolygon& receiver, const Light& light,
+                                    const std::vector<ConvexBlocker>& blockers, std::size_t count, unsigned seed) {
+  std::mt19937 random(seed);
+  const auto points = receiver.points();
+  const auto [x0, x1] = std::minmax_element(points.begin(), points.end(), [](auto& a, auto& b) { return a.x < b.x; });
+  const auto [y0, y1] = std::minmax_element(points.begin(), points.end(), [](auto& a, auto& b) { return a.y < b.y; });
+  std::uniform_real_distribution<double> x(x0->x, x1->x), y(y0->y, y1->y);
+  const Obstacles obstacles{blockers, {}};
+  ProbeResult result;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point3 p{x(random), y(random), points[0].z};
+    const auto face = face_at(mesh, exact(p));
+    if (!face) continue;
+    const ReceiverRegion region = mesh.faces()[*face].region;
+    ++result.compared;
+    if (region == ReceiverRegion::unresolved_eee) {
+      ++result.unresolved;
+      continue;
+    }
+    if (static_cast<int>(region) != static_cast<int>(exact_visibility(light, obstacles, p).region)) ++result.different;
+  }
+  return result;
+}
+
+}  // namespace gnomon
