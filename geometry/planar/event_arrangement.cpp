@@ -117,7 +117,7 @@ class CurveList {
       const Number other = share(ray.start.y(), ray.way.y());
       if (!least || other < *least) least = other;
     }
-    const Point end = ray.start + *least * ray.way;
+    Point end = ray.start + *least * ray.way;
     end.exact();
     return end;
   }

@@ -72,7 +72,7 @@ class ReceiverSearch {
     const Rational parallel = cross(way_, along);
     if (parallel == 0) return;
     const Rational place = cross(difference(a, start_), along) / parallel;
-    if (place > 0 && place < 1) list.push_back({place, name});
+    if (CGAL::sign(place) > 0 && place < 1) list.push_back({place, name});
   }
 
   /// Adds the end of a blocker, if it lies on the receiver.
@@ -80,7 +80,7 @@ class ReceiverSearch {
     const ExactPoint to_end = difference(exact(end), start_);
     if (cross(way_, to_end) != 0) return;
     const Rational place = (to_end.x * way_.x + to_end.y * way_.y) / (way_.x * way_.x + way_.y * way_.y);
-    if (place > 0 && place < 1) list.push_back({place, name});
+    if (CGAL::sign(place) > 0 && place < 1) list.push_back({place, name});
   }
 
   std::vector<Candidate> sorted_candidates() const {
