@@ -26,7 +26,7 @@ Subject with_planes(BreakPlanes break_them) {
 
 Subject with_volumes(BreakVolumes break_them) {
   Subject subject;
-  subject.shadow_volumes = [=](const Light& light, const ConvexPolygon& blocker) {
+  subject.shadow_volumes = [=](const Light& light, const ConvexBlocker& blocker) {
     ShadowVolumes volumes = shadow_volumes(light, blocker);
     break_them(volumes);
     return volumes;
@@ -149,6 +149,44 @@ TEST(LawsCatch, BoundariesDecidedWithRoundedOrWidenedPlanes) {
     }
   };
   EXPECT_TRUE(caught(with_volumes(rounded), {"S1", "S4", "S5", "S6", "S8", "S9"}));
+}
+
+// In any position.
+
+void drop_last_of(ConvexVolume& volume) {
+  if (!volume.half_spaces.empty()) volume.half_spaces.pop_back();
+}
+
+TEST(LawsCatch, AHalfSpaceMissingInAnyPosition) {
+  EXPECT_TRUE(caught(with_volumes([](ShadowVolumes& v) { drop_last_of(v.occlusion); }), {"S6_any"}));
+  EXPECT_TRUE(caught(with_volumes([](ShadowVolumes& v) { drop_last_of(v.umbra); }), {"S9_any"}));
+}
+
+TEST(LawsCatch, AnUmbraForgottenOrMadeUp) {
+  EXPECT_TRUE(caught(with_volumes([](ShadowVolumes& v) { v.umbra.empty = true; }), {"S11"}));
+  EXPECT_TRUE(caught(with_volumes([](ShadowVolumes& v) { v.umbra.empty = false; }), {"S11"}));
+}
+
+TEST(LawsCatch, WrongFactsInAnyPosition) {
+  EXPECT_TRUE(caught(with_volumes([](ShadowVolumes& v) { v.umbra_facts.bounded = true; }), {"S12_any"}));
+  EXPECT_TRUE(caught(with_volumes([](ShadowVolumes& v) { v.umbra_facts.bounded = false; }), {"S12_any"}));
+  EXPECT_TRUE(caught(with_volumes([](ShadowVolumes& v) { v.penumbra_facts.components = 1; }), {"S14_any"}));
+  EXPECT_TRUE(caught(with_volumes([](ShadowVolumes& v) { v.umbra_pockets = 1; }), {"S15"}));
+}
+
+TEST(LawsCatch, AVolumeOfAPartTooLargeOrForgotten) {
+  Subject subject;
+  subject.convex_hull_shadow_volume = [](const Light& light, const ConvexBlocker& blocker) {
+    ConvexVolume volume = convex_hull_shadow_volume(light, blocker);
+    drop_last_of(volume);
+    return volume;
+  };
+  EXPECT_TRUE(caught(subject, {"M4"}));
+  subject.convex_hull_shadow_volume = [](const Light& light, const ConvexBlocker& blocker) {
+    return std::holds_alternative<ConvexSolid>(blocker) ? ConvexVolume{{}, true}
+                                                        : convex_hull_shadow_volume(light, blocker);
+  };
+  EXPECT_TRUE(caught(subject, {"M4"}));
 }
 
 }  // namespace
