@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "apps/laws/any_position_laws.h"
 #include "apps/laws/flatland_claims.h"
 #include "apps/laws/flatland_laws.h"
 #include "apps/laws/planar_laws.h"
@@ -12,8 +13,8 @@ namespace gnomon::laws {
 
 std::vector<Law> all_laws() {
   std::vector<Law> all;
-  for (const auto& family :
-       {planar_laws(), flatland_laws(), flatland_claims(), spatial_laws(), sight_laws(), spatial_claims()}) {
+  for (const auto& family : {planar_laws(), flatland_laws(), flatland_claims(), spatial_laws(), any_position_laws(),
+                             sight_laws(), spatial_claims()}) {
     all.insert(all.end(), family.begin(), family.end());
   }
   const std::vector<std::string> order = all_keys();

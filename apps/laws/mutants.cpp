@@ -141,11 +141,11 @@ std::vector<Mutant> volume_mutants() {
               [](ShadowVolumes& v) { v.umbra = v.occlusion; }),
       volumes({"swap_occlusion", "the umbra given as the occlusion volume"}, occlusion,
               [](ShadowVolumes& v) { v.occlusion = v.umbra; }),
-      volumes({"drop_occlusion_half_space", "a half-space missing from the occlusion volume"}, {"S1", "S4", "S5", "S6"},
-              [](ShadowVolumes& v) { drop_last(v.occlusion); }),
+      volumes({"drop_occlusion_half_space", "a half-space missing from the occlusion volume"},
+              {"S1", "S4", "S5", "S6", "S6_any"}, [](ShadowVolumes& v) { drop_last(v.occlusion); }),
       volumes({"drop_light_half_spaces", "the light planes missing from the occlusion volume"}, occlusion,
               [](ShadowVolumes& v) { drop_kind(v.occlusion, FacetKind::separating_light_plane); }),
-      volumes({"drop_umbra_half_space", "a half-space missing from the umbra"}, {"S1", "S8", "S9"},
+      volumes({"drop_umbra_half_space", "a half-space missing from the umbra"}, {"S1", "S8", "S9", "S9_any"},
               [](ShadowVolumes& v) { drop_last(v.umbra); }),
       volumes({"drop_blocker_face", "the blocker's plane missing from both volumes"},
               {"S1", "S4", "S5", "S6", "S8", "S9"},
@@ -167,18 +167,45 @@ std::vector<Mutant> volume_mutants() {
                   for (HalfSpace& half_space : volume->half_spaces) half_space.plane[2].z *= 1 + 0x1p-50;
                 }
               }),
-      volumes({"bounded_umbra", "every umbra said to be bounded"}, {"S12"},
+      volumes({"bounded_umbra", "every umbra said to be bounded"}, {"S12", "S12_any"},
               [](ShadowVolumes& v) { v.umbra_facts.bounded = true; }),
-      volumes({"unbounded_umbra", "every umbra said to be unbounded"}, {"S12"},
+      volumes({"unbounded_umbra", "every umbra said to be unbounded"}, {"S12", "S12_any"},
               [](ShadowVolumes& v) { v.umbra_facts.bounded = false; }),
       volumes({"bounded_penumbra", "every penumbra said to be bounded"}, {"S13"},
               [](ShadowVolumes& v) { v.penumbra_facts.bounded = true; }),
       volumes({"penumbra_of_points", "no penumbra said to be empty"}, {"S13"},
               [](ShadowVolumes& v) { v.penumbra_facts.empty = false; }),
-      volumes({"one_penumbra", "every penumbra said to be one"}, {"S14"},
+      volumes({"one_penumbra", "every penumbra said to be one"}, {"S14", "S14_any"},
               [](ShadowVolumes& v) { v.penumbra_facts.components = 1; }),
       volumes({"no_shared_umbra", "no umbra said to be there"}, {"S12", "F1"},
               [](ShadowVolumes& v) { v.umbra_facts = {}; }),
+      volumes({"drop_umbra", "every umbra forgotten"}, {"S11"}, [](ShadowVolumes& v) { v.umbra.empty = true; }),
+      volumes({"umbra_made_up", "no umbra forgotten, though none be there"}, {"S11"},
+              [](ShadowVolumes& v) { v.umbra.empty = false; }),
+      volumes({"one_pocket", "every umbra said to have one pocket"}, {"S15"},
+              [](ShadowVolumes& v) { v.umbra_pockets = 1; }),
+  };
+}
+
+Mutant hulls(Words words, Keys caught_by, ConvexVolume (*broken)(const Light&, const ConvexBlocker&)) {
+  Mutant mutant{words.name, words.does, Part::convex_hull_shadow_volume, {}, std::move(caught_by)};
+  mutant.subject.convex_hull_shadow_volume = broken;
+  return mutant;
+}
+
+std::vector<Mutant> hull_mutants() {
+  return {
+      hulls({"drop_hull_half_space", "a half-space missing from the occlusion volume of a part"}, {"M4"},
+            [](const Light& light, const ConvexBlocker& blocker) {
+              ConvexVolume volume = convex_hull_shadow_volume(light, blocker);
+              drop_last(volume);
+              return volume;
+            }),
+      hulls({"skip_solids", "parts that are solids forgotten"}, {"M4"},
+            [](const Light& light, const ConvexBlocker& blocker) {
+              return std::holds_alternative<ConvexSolid>(blocker) ? ConvexVolume{{}, true}
+                                                                  : convex_hull_shadow_volume(light, blocker);
+            }),
   };
 }
 
@@ -296,7 +323,8 @@ std::vector<Mutant> flatland_mutants() {
 
 std::vector<Mutant> all_mutants() {
   std::vector<Mutant> all;
-  for (auto& family : {planar_pair_mutants(), flatland_mutants(), plane_mutants(), volume_mutants(), sight_mutants()}) {
+  for (auto& family : {planar_pair_mutants(), flatland_mutants(), plane_mutants(), volume_mutants(), hull_mutants(),
+                       sight_mutants()}) {
     all.insert(all.end(), family.begin(), family.end());
   }
   return all;
@@ -316,6 +344,9 @@ Subject with_part_watched(Part part, std::function<void()> asked) {
       break;
     case Part::shadow_volumes:
       subject.shadow_volumes = watched(subject.shadow_volumes);
+      break;
+    case Part::convex_hull_shadow_volume:
+      subject.convex_hull_shadow_volume = watched(subject.convex_hull_shadow_volume);
       break;
     case Part::visibility:
       subject.visibility = watched(subject.visibility);

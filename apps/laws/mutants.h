@@ -13,6 +13,7 @@ namespace gnomon::laws {
 enum class Part {
   extremal_planes,
   shadow_volumes,
+  convex_hull_shadow_volume,
   visibility,
   planar_extremal_lines,
   planar_regions,

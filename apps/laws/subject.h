@@ -17,7 +17,9 @@ struct Subject {
   // A lambda: private headers know another overload.
   std::function<ExtremalPlanes(const Light&, const ConvexPolygon&)> extremal_planes =
       [](const Light& light, const ConvexPolygon& blocker) { return gnomon::extremal_planes(light, blocker); };
-  std::function<ShadowVolumes(const Light&, const ConvexPolygon&)> shadow_volumes = gnomon::shadow_volumes;
+  std::function<ShadowVolumes(const Light&, const ConvexBlocker&)> shadow_volumes = gnomon::shadow_volumes;
+  std::function<ConvexVolume(const Light&, const ConvexBlocker&)> convex_hull_shadow_volume =
+      gnomon::convex_hull_shadow_volume;
   std::function<std::array<planar::ExtremalLine, 4>(const planar::Pair&)> planar_extremal_lines =
       planar::extremal_lines;
   std::function<planar::ShadowRegions(const planar::Pair&)> planar_regions = planar::shadow_regions;

@@ -137,6 +137,7 @@ ExactSurface surface(const ConvexPolyhedron& polyhedron) {
   result.facets.reserve(polyhedron.faces.size());
   for (const Face& face : polyhedron.faces) {
     Triangles& triangles = result.facets.emplace_back(ExactSurface::Facet{face.plane, {}}).triangles;
+    triangles.reserve(face.loop.size() - 2);
     for (std::size_t i = 1; i + 1 < face.loop.size(); ++i) {
       triangles.push_back({face.loop[0], face.loop[i], face.loop[i + 1]});
     }

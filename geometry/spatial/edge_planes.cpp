@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "geometry/kernel.h"
+
 namespace gnomon {
 namespace {
 
@@ -15,6 +17,26 @@ enum class Demand {
   never,     ///< no plane but perhaps a facet's separates
   on_line    ///< nothing, and the corner defines no plane with the edge
 };
+
+/// How a corner of the other body lies to a plane through an edge.
+enum class Touch { none, touches, on_line };
+
+/// The lowest index of the vertices that touch a plane through the edge from p to q. One inside a side touches if the
+/// side lies in the plane, but not on the edge's line.
+std::uint32_t lowest_touching(const Hull& hull, const std::vector<Touch>& touches, const Point3& p, const Point3& q) {
+  std::uint32_t lowest = Hull::none;
+  for (std::uint32_t k = 0; k < touches.size(); ++k) {
+    if (touches[k] == Touch::touches) lowest = std::min(lowest, hull.index[k]);
+  }
+  for (const Hull::Edge& side : hull.edges) {
+    if (touches[side.from] == Touch::none || touches[side.to] == Touch::none) continue;
+    for (std::uint32_t i = side.first_inside; i < side.last_inside; ++i) {
+      const auto& [index, point] = hull.inside[i];
+      if (index < lowest && !CGAL::collinear(to_cgal(p), to_cgal(q), to_cgal(point))) lowest = index;
+    }
+  }
+  return lowest;
+}
 
 /// One body with its edges, and the other that planes through the edges are to separate from it.
 class Separation {
@@ -80,17 +102,17 @@ class Separation {
   }
 
   HalfSpace plane(const Hull::Edge& edge, std::uint32_t corner, const std::vector<Demand>& demands, int way) const {
-    const auto touches = [&](std::uint32_t k) { return demands[k] != Demand::on_line && turn(edge, corner, k) == 0; };
-    std::uint32_t lowest = Hull::none;
+    std::vector<Touch> touches(demands.size(), Touch::none);
     for (std::uint32_t k = 0; k < demands.size(); ++k) {
-      if (touches(k)) lowest = std::min(lowest, other_.index[k]);
-    }
-    for (const Hull::Edge& side : other_.edges) {
-      if (touches(side.from) && touches(side.to)) lowest = std::min(lowest, side.lowest);
+      if (demands[k] == Demand::on_line) {
+        touches[k] = Touch::on_line;
+      } else if (turn(edge, corner, k) == 0) {
+        touches[k] = Touch::touches;
+      }
     }
     HalfSpace result;
     result.name.edge_index = static_cast<std::int32_t>(edge.name);
-    result.name.vertex_index = static_cast<std::int32_t>(lowest);
+    result.name.vertex_index = static_cast<std::int32_t>(lowest_touching(other_, touches, from(edge), to(edge)));
     result.plane = {from(edge), to(edge), other_.corners[corner]};
     if (way > 0) std::swap(result.plane[0], result.plane[1]);
     result.third_is_direction = other_.at_infinity;
@@ -203,17 +225,13 @@ std::vector<HalfSpace> supporting_blocker_planes(const HullPair& pair, const std
         extreme = j;
       }
     }
-    const auto touches = [&](std::uint32_t j) {
-      return j == extreme || (pair.facet_side(facet, j) > 0 &&
-                              pair.orientation(u, v, pair.light.corners[extreme], pair.light.corners[j]) == 0);
-    };
-    std::uint32_t lowest = Hull::none;
-    for (const std::uint32_t j : corners) {
-      if (touches(j)) lowest = std::min(lowest, pair.light.index[j]);
+    std::vector<Touch> touches(pair.light.corners.size(), Touch::none);
+    for (std::uint32_t j = 0; j < touches.size(); ++j) {
+      const bool lies_on_plane =
+          j == extreme || pair.orientation(u, v, pair.light.corners[extreme], pair.light.corners[j]) == 0;
+      if (lies_on_plane) touches[j] = pair.facet_side(facet, j) != 0 ? Touch::touches : Touch::on_line;
     }
-    for (const Hull::Edge& side : pair.light.edges) {
-      if (touches(side.from) && touches(side.to)) lowest = std::min(lowest, side.lowest);
-    }
+    const std::uint32_t lowest = lowest_touching(pair.light, touches, u, v);
     result.push_back(
         {{FacetKind::supporting_blocker_plane, static_cast<std::int32_t>(edge.name), static_cast<std::int32_t>(lowest)},
          {u, v, pair.light.corners[extreme]},

@@ -104,6 +104,16 @@ class ExactSpace {
   std::size_t vertex_count() const { return vertices_.size(); }
   bool is_direction(VertexId vertex) const { return vertices_[vertex].definition.direction; }
 
+  /// A point near a vertex that is no direction; it may be not finite.
+  Point3 nearby_point(VertexId vertex) const {
+    const auto middle = [&](std::size_t i) {
+      const Interval& x = vertices_[vertex].approximate[i];
+      return x.inf() / 2 + x.sup() / 2;
+    };
+    const double w = middle(3);
+    return {middle(0) / w, middle(1) / w, middle(2) / w};
+  }
+
   const Quadruple<ExactReal>& exact_plane(PlaneId plane) const;
   const Quadruple<ExactReal>& exact_vertex(VertexId vertex) const;
 

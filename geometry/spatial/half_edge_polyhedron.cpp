@@ -27,7 +27,7 @@ HalfEdgePolyhedron::HalfEdgePolyhedron(ExactSpace& space, const ConvexPolyhedron
 
 /// Numbers the vertices in the order of their names.
 void HalfEdgePolyhedron::number_vertices() {
-  std::vector<Index> index(space_.vertex_count(), none);
+  boost::container::small_vector<Index, 128> index(space_.vertex_count(), none);
   for (Index e = 0; e < edges_.size(); ++e) index[edges_[e].origin] = e;
   for (VertexId id = 0; id < index.size(); ++id) {
     if (index[id] == none) continue;
@@ -39,11 +39,12 @@ void HalfEdgePolyhedron::number_vertices() {
 
 /// Finds for every half-edge the one that runs the other way, among those with the same lower end.
 void HalfEdgePolyhedron::link_twins() {
-  std::vector<Index> first(vertices_.size(), none);  // of the half-edges with this lower end
-  std::vector<Index> following(edges_.size());
+  boost::container::small_vector<Index, 64> first(vertices_.size(), none);  // of the half-edges with this lower end
+  boost::container::small_vector<Index, 128> following(edges_.size());
   const auto ends = [&](Index e) { return std::minmax(edges_[e].origin, edges_[edges_[e].next].origin); };
   for (Index e = 0; e < edges_.size(); ++e) following[e] = std::exchange(first[ends(e).first], e);
-  std::vector<Index> other(vertices_.size(), none);  // the half-edge last seen with this upper end
+  boost::container::small_vector<Index, 64> other(vertices_.size(),
+                                                  none);  // the half-edge last seen with this upper end
   for (const Index start : first) {
     for (Index e = start; e != none; e = following[e]) {
       const Index match = std::exchange(other[ends(e).second], e);

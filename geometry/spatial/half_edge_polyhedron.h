@@ -13,6 +13,7 @@ namespace gnomon {
 class HalfEdgePolyhedron {
  public:
   using Index = std::uint32_t;
+  using Indices = boost::container::small_vector<Index, 32>;
   static constexpr Index none = ~0u;
 
   HalfEdgePolyhedron(ExactSpace& space, const ConvexPolyhedron& polyhedron);
@@ -33,8 +34,8 @@ class HalfEdgePolyhedron {
   Index index_of(VertexId id) const;
 
   /// The vertices that the last cut took away, and those of the face that it made.
-  const std::vector<Index>& removed() const { return removed_; }
-  const std::vector<Index>& boundary() const { return boundary_; }
+  const Indices& removed() const { return removed_; }
+  const Indices& boundary() const { return boundary_; }
 
   ConvexPolyhedron polyhedron() const;
 
@@ -81,11 +82,11 @@ class HalfEdgePolyhedron {
 
   PlaneId plane_ = 0;
   Index stamp_ = 0;
-  std::vector<Index> removed_;
-  std::vector<Index> touched_faces_;
-  std::vector<Exit> exits_;
-  std::vector<Index> cap_edges_;
-  std::vector<Index> boundary_;
+  Indices removed_;
+  Indices touched_faces_;
+  boost::container::small_vector<Exit, 32> exits_;
+  Indices cap_edges_;
+  Indices boundary_;
 };
 
 }  // namespace gnomon

@@ -1,10 +1,19 @@
 #include "geometry/spatial/hull.h"
 
-#include <algorithm>
 #include <unordered_map>
 
 namespace gnomon {
 namespace {
+
+/// Adds the vertices between corner k and the next one.
+void add_inside(Hull& hull, const ConvexPolygon& polygon, std::uint32_t k) {
+  const auto size = static_cast<std::uint32_t>(polygon.points().size());
+  const auto corners = polygon.corners();
+  const std::uint32_t end = corners[(k + 1) % corners.size()];
+  for (std::uint32_t i = (corners[k] + 1) % size; i != end; i = (i + 1) % size) {
+    hull.inside.push_back({i, polygon.points()[i]});
+  }
+}
 
 Hull flat_hull(const ConvexPolygon& polygon) {
   Hull hull;
@@ -14,7 +23,10 @@ Hull flat_hull(const ConvexPolygon& polygon) {
   for (std::uint32_t k = 0; k < size; ++k) {
     hull.index.push_back(polygon.corners()[k]);
     hull.corners.push_back(polygon.points()[polygon.corners()[k]]);
-    hull.edges.push_back({k, (k + 1) % size, 0, 1, polygon.side_edge(k), polygon.side_lowest_vertex(k)});
+    const auto first = static_cast<std::uint32_t>(hull.inside.size());
+    add_inside(hull, polygon, k);
+    const auto last = static_cast<std::uint32_t>(hull.inside.size());
+    hull.edges.push_back({k, (k + 1) % size, 0, 1, polygon.side_edge(k), first, last});
     hull.facets[0].loop.push_back(k);
   }
   hull.facets[1].loop.assign(hull.facets[0].loop.rbegin(), hull.facets[0].loop.rend());
@@ -35,8 +47,7 @@ Hull solid_hull(const ConvexSolid& solid) {
   }
   std::uint32_t name = 0;
   for (const ConvexSolid::Edge& edge : solid.edges()) {
-    hull.edges.push_back(
-        {corner.at(edge.from), corner.at(edge.to), edge.left, edge.right, name++, std::min(edge.from, edge.to)});
+    hull.edges.push_back({corner.at(edge.from), corner.at(edge.to), edge.left, edge.right, name++});
   }
   return hull;
 }
@@ -70,7 +81,7 @@ struct HullOf {
     Hull hull;
     hull.corners = {light.start, light.end};
     hull.index = {0, 1};
-    hull.edges = {{0, 1, Hull::none, Hull::none, 0, 0}};
+    hull.edges = {{0, 1, Hull::none, Hull::none, 0}};
     return hull;
   }
   Hull operator()(const AreaLight& light) const { return (*this)(light.polygon); }

@@ -21,7 +21,13 @@ struct Hull {
     std::uint32_t left;
     std::uint32_t right;
     std::uint32_t name;  ///< its index in the file's order (of a solid: in ConvexSolid::edges), or none for a diagonal
-    std::uint32_t lowest;  ///< lowest index of the vertices on it
+    std::uint32_t first_inside = 0;  ///< `inside` vertices of a flat polygon strictly between its ends: those from
+    std::uint32_t last_inside = 0;   ///< the first to before the last
+  };
+  /// A vertex of a polygon that is no corner.
+  struct InsideVertex {
+    std::uint32_t index;
+    Point3 point;
   };
   /// A facet. Orientation: its corners run counterclockwise seen from outside.
   struct Facet {
@@ -32,6 +38,7 @@ struct Hull {
   std::vector<std::uint32_t> index;  ///< of each corner, in the file's order
   std::vector<Edge> edges;
   std::vector<Facet> facets;
+  std::vector<InsideVertex> inside;
   bool flat = false;         ///< a polygon with front and back
   bool at_infinity = false;  ///< the one corner is the direction that leads to a directional light
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "geometry/spatial/convex_blocker.h"
 #include "geometry/spatial/extremal_planes.h"
 #include "geometry/spatial/light.h"
 #include "geometry/spatial/orientation.h"
@@ -64,6 +66,11 @@ struct StandardPair {
 /// Requires: pair_position(light, blocker) == Position::standard.
 /// Throws:   PreconditionError.
 StandardPair standard_pair(const Light& light, const ConvexPolygon& blocker);
+
+/// The pair if it is one in standard position: a flat blocker, and a finite light that is flat or has no area.
+///
+/// Requires: light and blocker outlive the result.
+std::optional<StandardPair> standard_pair_of(const Light& light, const ConvexBlocker& blocker);
 
 /// The light corners that touch the extremal plane through one blocker side: one corner, or two neighbours
 /// (`last` after `first`) if a light side lies in the plane. If the plane holds the whole light (a point light, or a

@@ -1,5 +1,7 @@
 #include "geometry/spatial/pair_polyhedra.h"
 
+#include <algorithm>
+
 #include "geometry/errors.h"
 #include "geometry/spatial/position.h"
 
@@ -15,6 +17,20 @@ HalfSpace first_half_space(const PreparedPair& pair) {
   return pair.standard ? pair.half_spaces.occlusion.front() : facet_half_space(*pair.hulls, 0);
 }
 
+/// The sides of a box, those first that face the shadow of a pair most: what reaches infinity ends there, and little is
+/// left to cut for the others. The order decides nothing but the cost.
+std::array<PlaneId, 6> in_order_of_use(const std::array<PlaneId, 6>& sides, const StandardPair& pair) {
+  const Point3& from = pair.light.corner(0);
+  const Point3& to = pair.blocker.corner(0);
+  const std::array<double, 3> along = {to.x - from.x, to.y - from.y, to.z - from.z};
+  std::array<std::size_t, 6> order = {0, 1, 2, 3, 4, 5};
+  const auto facing = [&](std::size_t side) { return side % 2 == 0 ? -along[side / 2] : along[side / 2]; };
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return facing(a) > facing(b); });
+  std::array<PlaneId, 6> result{};
+  for (std::size_t i = 0; i < 6; ++i) result[i] = sides[order[i]];
+  return result;
+}
+
 }  // namespace
 
 PreparedPair prepared_pair(const Light& light, const ConvexBlocker& blocker) {
@@ -23,8 +39,8 @@ PreparedPair prepared_pair(const Light& light, const ConvexBlocker& blocker) {
         "a light that is not exactly flat needs the blocker strictly apart from it, and in front if it is one-sided");
   }
   PreparedPair result;
-  if (is_standard_polygon_pair(light, blocker)) {
-    result.standard = standard_pair(light, std::get<ConvexPolygon>(blocker));
+  result.standard = standard_pair_of(light, blocker);
+  if (result.standard) {
     result.contacts.emplace(*result.standard);
     result.half_spaces = standard_half_spaces(*result.standard, *result.contacts);
   } else {
@@ -35,16 +51,31 @@ PreparedPair prepared_pair(const Light& light, const ConvexBlocker& blocker) {
 }
 
 PairPolyhedra::PairPolyhedra(const PreparedPair& pair, const Box3& box)
-    : planes(pair.half_spaces, first_half_space(pair)),
-      sides(add_box(planes.space, box)),
-      whole_box(box_polyhedron(planes.space, box, sides)) {
-  ExactSpace& space = planes.space;
+    : planes(pair.half_spaces, first_half_space(pair)), sides(add_box(planes.space, box)), box_(box) {
   if (pair.standard) {
-    occlusion = clipped(space, standard_occlusion(space, *pair.standard, *pair.contacts, planes.occlusion), {}, sides);
-  } else if (!pair.half_spaces.occlusion_empty) {
-    occlusion = part_inside(space, whole_box, planes.occlusion);
+    make_standard(*pair.standard, *pair.contacts);
+  } else {
+    make_general(pair.half_spaces);
   }
-  if (!pair.half_spaces.umbra_empty) umbra = part_inside(space, whole_box, planes.umbra);
+}
+
+const ConvexPolyhedron& PairPolyhedra::whole_box() {
+  if (!whole_box_) whole_box_ = box_polyhedron(planes.space, box_, sides);
+  return *whole_box_;
+}
+
+void PairPolyhedra::make_standard(const StandardPair& pair, const StandardContacts& contacts) {
+  ExactSpace& space = planes.space;
+  const std::array<PlaneId, 6> order = in_order_of_use(sides, pair);
+  const std::vector<VertexId> corners = standard_corners(space, pair);
+  occlusion = clipped(space, standard_occlusion(space, pair, contacts, corners, planes.occlusion), {}, order);
+  const ConvexPolyhedron widening = standard_umbra(space, corners, planes.umbra);
+  umbra = widening.empty() ? part_inside(space, whole_box(), planes.umbra) : clipped(space, widening, {}, order);
+}
+
+void PairPolyhedra::make_general(const PairHalfSpaces& half_spaces) {
+  if (!half_spaces.occlusion_empty) occlusion = part_inside(planes.space, whole_box(), planes.occlusion);
+  if (!half_spaces.umbra_empty) umbra = part_inside(planes.space, whole_box(), planes.umbra);
 }
 
 std::vector<ConvexPolyhedron> penumbra_cells(const PreparedPair& pair, PairPolyhedra& polyhedra) {

@@ -30,11 +30,20 @@ PreparedPair prepared_pair(const Light& light, const ConvexBlocker& blocker);
 struct PairPolyhedra {
   PairPolyhedra(const PreparedPair& pair, const Box3& box);
 
+  /// The box itself, made when it is first needed.
+  const ConvexPolyhedron& whole_box();
+
   ShadowPlanes planes;
   std::array<PlaneId, 6> sides;
-  ConvexPolyhedron whole_box;
   ConvexPolyhedron occlusion;
   ConvexPolyhedron umbra;
+
+ private:
+  void make_standard(const StandardPair& pair, const StandardContacts& contacts);
+  void make_general(const PairHalfSpaces& half_spaces);
+
+  Box3 box_;
+  std::optional<ConvexPolyhedron> whole_box_;
 };
 
 /// The penumbra as convex cells that share no interior point; none for lights of a single point.

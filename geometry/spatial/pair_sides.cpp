@@ -40,6 +40,7 @@ PairSides pair_sides(const Light& light, const ConvexPolygon& blocker) {
     return loose_light_sides(std::array{point->position}, blocker);
   }
   if (const auto* line = std::get_if<LinearLight>(&light)) {
+    if (line->start == line->end) throw PreconditionError("a linear light needs two different ends");
     return loose_light_sides(std::array{line->start, line->end}, blocker);
   }
   const ConvexPolygon& polygon = std::get<AreaLight>(light).polygon;

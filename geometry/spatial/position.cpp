@@ -103,12 +103,6 @@ Position pair_position(const Light& light, const ConvexBlocker& blocker) {
   return hull_position(HullPair(hull(light), hull(blocker)), area && !area->two_sided);
 }
 
-bool is_standard_polygon_pair(const Light& light, const ConvexBlocker& blocker) {
-  if (std::holds_alternative<DirectionalLight>(light) || !is_flat(light)) return false;
-  const auto* polygon = std::get_if<ConvexPolygon>(&blocker);
-  return polygon && polygon->is_flat() && flat_position(light, *polygon) == Position::standard;
-}
-
 bool is_supported(const Light& light, const ConvexBlocker& blocker) {
   const auto* area = std::get_if<AreaLight>(&light);
   if (!area || area->polygon.is_flat()) return true;

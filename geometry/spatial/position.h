@@ -34,9 +34,6 @@ std::string_view name(Position position);
 /// Cost:       O(n + m) for flat polygons.
 Position pair_position(const Light& light, const ConvexBlocker& blocker);
 
-/// True if light and blocker are flat (or the light has no area), finite and in standard position.
-bool is_standard_polygon_pair(const Light& light, const ConvexBlocker& blocker);
-
 /// False for the one kind of pair whose shadow is not that of the hulls: a light whose vertices were rounded off their
 /// plane, unless the plane of one of its hull's facets, or of the blocker's, holds the two strictly apart, and the
 /// blocker lies strictly in front of a one-sided one.

@@ -57,10 +57,9 @@ ShadowVolumes shadow_volumes(const Light& light, const ConvexBlocker& blocker) {
   const HullPair pair(hull(light), hull(blocker));
   PairHalfSpaces half_spaces;
   ShadowVolumes volumes;
-  if (is_standard_polygon_pair(light, blocker)) {
-    const StandardPair standard = standard_pair(light, std::get<ConvexPolygon>(blocker));
-    half_spaces = standard_half_spaces(standard, StandardContacts(standard));
-    volumes.planes = extremal_planes(standard);
+  if (const std::optional<StandardPair> standard = standard_pair_of(light, blocker)) {
+    half_spaces = standard_half_spaces(*standard, StandardContacts(*standard));
+    volumes.planes = extremal_planes(*standard);
   } else {
     half_spaces = pair_half_spaces(pair, light);
     volumes.planes = named_planes(half_spaces);

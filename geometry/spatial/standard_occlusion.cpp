@@ -79,11 +79,15 @@ PairHalfSpaces standard_half_spaces(const StandardPair& pair, const StandardCont
   return result;
 }
 
-ConvexPolyhedron standard_occlusion(ExactSpace& space, const StandardPair& pair, const StandardContacts& contacts,
-                                    const std::vector<PlaneId>& planes) {
+std::vector<VertexId> standard_corners(ExactSpace& space, const StandardPair& pair) {
   std::vector<VertexId> corners;
   corners.reserve(pair.blocker.size());
   for (std::uint32_t k = 0; k < pair.blocker.size(); ++k) corners.push_back(space.add_point(pair.blocker.corner(k)));
+  return corners;
+}
+
+ConvexPolyhedron standard_occlusion(ExactSpace& space, const StandardPair& pair, const StandardContacts& contacts,
+                                    const std::vector<VertexId>& corners, const std::vector<PlaneId>& planes) {
   ConvexPolyhedron result;
   result.faces.reserve(planes.size() + 1);
   result.faces.push_back({planes[0], {corners.begin(), corners.end()}});
@@ -101,6 +105,28 @@ ConvexPolyhedron standard_occlusion(ExactSpace& space, const StandardPair& pair,
     }
   }
   result.faces.push_back({ExactSpace::at_infinity, directions.reversed_loop()});
+  return result;
+}
+
+ConvexPolyhedron standard_umbra(ExactSpace& space, const std::vector<VertexId>& corners,
+                                const std::vector<PlaneId>& planes) {
+  const std::size_t size = corners.size();
+  const auto plane = [&](std::size_t side) { return planes[1 + side % size]; };
+  std::vector<VertexId> rays;
+  rays.reserve(size);
+  for (std::size_t k = 0; k < size; ++k) {
+    rays.push_back(space.add_meet({plane(k + size - 1), plane(k), ExactSpace::at_infinity}, true));
+    // The rays at both ends of a side lie in its plane. They spread if that at its start runs inside the next plane.
+    if (space.side(plane(k + 1), rays[k]) >= 0) return {};
+  }
+  ConvexPolyhedron result;
+  result.faces.reserve(size + 2);
+  result.faces.push_back({planes[0], {corners.begin(), corners.end()}});
+  for (std::size_t k = 0; k < size; ++k) {
+    const std::size_t next = k + 1 == size ? 0 : k + 1;
+    result.faces.push_back({plane(k), {corners[next], corners[k], rays[k], rays[next]}});
+  }
+  result.faces.push_back({ExactSpace::at_infinity, {rays.rbegin(), rays.rend()}});
   return result;
 }
 

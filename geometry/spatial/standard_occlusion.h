@@ -24,13 +24,24 @@ struct StandardContacts {
 /// Cost:    O(n + m).
 PairHalfSpaces standard_half_spaces(const StandardPair& pair, const StandardContacts& contacts);
 
+/// The blocker's corners, in the order of its ring.
+std::vector<VertexId> standard_corners(ExactSpace& space, const StandardPair& pair);
+
 /// The occlusion of a pair in standard position, unbounded as it is: B + cone{b - l}.
 /// Its corners are the blocker's, its unbounded edges run away from light corners.
 ///
-/// Requires: `planes` are those of standard_half_spaces(pair, contacts).occlusion, in their order; the first one is the
-///           downward plane of the space.
+/// Requires: `corners` are those of standard_corners, `planes` those of standard_half_spaces(pair, contacts).occlusion,
+///           in their order; the first one is the downward plane of the space.
 /// Cost:     O(n + m).
 ConvexPolyhedron standard_occlusion(ExactSpace& space, const StandardPair& pair, const StandardContacts& contacts,
-                                    const std::vector<PlaneId>& planes);
+                                    const std::vector<VertexId>& corners, const std::vector<PlaneId>& planes);
+
+/// The umbra of a pair in standard position if none of its sides gets shorter away from the blocker; else empty. A ray
+/// leaves each corner of such an umbra, on the planes of both sides there.
+///
+/// Requires: as for standard_occlusion, with the planes of the umbra.
+/// Cost:     O(m).
+ConvexPolyhedron standard_umbra(ExactSpace& space, const std::vector<VertexId>& corners,
+                                const std::vector<PlaneId>& planes);
 
 }  // namespace gnomon

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/double_double.h"
 #include "geometry/spatial/exact_space.h"
+#include "geometry/spatial/plane_words.h"
 
 namespace gnomon {
 
@@ -15,7 +15,7 @@ std::array<Rational, 3> exact_coordinates(const ExactSpace& space, VertexId vert
 /// Rounds the points of a space.
 ///
 /// Exactness: every coordinate is the double nearest to the exact one. Double words with an error bound decide almost
-///            always; where they cannot, exact numbers do.
+///            always; where they do not, exact numbers do.
 /// Requires:  rounding to nearest while it is used.
 class VertexRounding {
  public:
@@ -24,11 +24,10 @@ class VertexRounding {
   Point3 operator()(VertexId vertex);
 
  private:
-  const Quadruple<DoubleDouble>& numbers(PlaneId plane);
-  Quadruple<DoubleDouble> coordinates(const VertexDefinition& vertex);
+  const PlaneWords& words(PlaneId plane);
 
   const ExactSpace& space_;
-  std::vector<std::optional<Quadruple<DoubleDouble>>> planes_;
+  std::vector<std::optional<PlaneWords>> planes_;
 };
 
 }  // namespace gnomon

@@ -44,6 +44,7 @@ class OutputVertices {
 
 VolumeMesh volume_mesh(const ExactSpace& space, const ExactSurface& surface, VertexRounding& rounding) {
   VolumeMesh mesh;
+  if (surface.facets.empty()) return mesh;
   OutputVertices vertices(space);
   mesh.facets.reserve(surface.facets.size());
   for (const ExactSurface::Facet& facet : surface.facets) {
@@ -80,6 +81,7 @@ ExactNumber exact_volume(const ExactSpace& space, const ExactSurface& surface) {
 VolumeCells volume_cells(const ExactSpace& space, const std::vector<ConvexPolyhedron>& polyhedra,
                          VertexRounding& rounding) {
   VolumeCells result;
+  if (polyhedra.empty()) return result;
   OutputVertices vertices(space);
   for (const ConvexPolyhedron& polyhedron : polyhedra) {
     VolumeCells::Cell cell;
@@ -165,7 +167,7 @@ ExactShapes exact_shapes(PairPolyhedra& polyhedra, const PreparedPair& pair, con
   }
   if (parts.cells && !polyhedra.umbra.empty()) shapes.umbra_cells = {polyhedra.umbra};
   if (parts.cells) shapes.penumbra_cells = penumbra_cells(pair, polyhedra);
-  if (parts.planes) shapes.planes = plane_loops(space, pair.half_spaces, polyhedra.whole_box);
+  if (parts.planes) shapes.planes = plane_loops(space, pair.half_spaces, polyhedra.whole_box());
   return shapes;
 }
 

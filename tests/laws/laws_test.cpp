@@ -71,14 +71,16 @@ std::vector<std::string> keys_without_entry() {
 TEST(Laws, AreListedOnceEachInTheOrderOfTheTheory) {
   ASSERT_TRUE(registered);
   std::vector<std::string> keys, expected = all_keys();
-  for (const Law& law : all_laws()) keys.push_back(law.key);
+  for (const Law& law : all_laws()) {
+    if (!law.key.ends_with("_any")) keys.push_back(law.key);
+  }
   EXPECT_EQ(expected.size(), 50u);
   for (const std::string& missing : keys_without_entry()) std::erase(expected, missing);
   EXPECT_EQ(keys, expected);
 }
 
 /// Statements that have no entry yet.
-const std::vector<std::string> expected_missing{"S11", "S15", "M4", "M5", "E1", "E2", "E3", "E4", "E5", "E6", "E7"};
+const std::vector<std::string> expected_missing{"M5", "E1", "E2", "E3", "E4", "E5", "E6", "E7"};
 
 TEST(Laws, HaveAnEntryForEveryStatementButThoseNamedHere) {
   const std::vector<std::string> missing = keys_without_entry();
@@ -94,7 +96,7 @@ TEST(Laws, ShowTheSameForTheSameSeed) {
     parameters.seed = seed;
     parameters.cases = 50;
     std::size_t called = 0;
-    parameters.subject.shadow_volumes = [&](const Light& light, const ConvexPolygon& blocker) -> ShadowVolumes {
+    parameters.subject.shadow_volumes = [&](const Light& light, const ConvexBlocker& blocker) -> ShadowVolumes {
       if (++called == 20) throw std::runtime_error("the twentieth pair");
       return shadow_volumes(light, blocker);
     };

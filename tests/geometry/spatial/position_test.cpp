@@ -64,6 +64,10 @@ TEST(PairPositionDegenerate, OneUlpDecides) {
             Position::light_crosses_blocker_plane);
 }
 
+TEST(PairPosition, RefusesALinearLightWithoutLength) {
+  EXPECT_THROW(pair_position(LinearLight{{0, 0, 2}, {0, 0, 2}}, unit_square(1)), PreconditionError);
+}
+
 TEST(PairPosition, OfADirectionalLightIsStandardUnlessItsRaysRunAlongTheBlocker) {
   EXPECT_EQ(pair_position(DirectionalLight{{0, 0, -1}}, unit_square(1)), Position::standard);
   EXPECT_EQ(pair_position(DirectionalLight{{1, 2, 0}}, unit_square(1)), Position::coplanar);
