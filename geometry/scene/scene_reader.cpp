@@ -77,19 +77,21 @@ Scene scene_of(const nlohmann::json& document, const std::string& source, const 
   return scene;
 }
 
+/// The text is let go: large scenes need the memory.
+nlohmann::json document_in(const std::filesystem::path& file) {
+  const FileText text = file_text(file, largest_scene_file);
+  if (!text.problem.empty()) throw SceneError(file.string() + ": found " + text.problem + "; expected a scene file");
+  return parse_json(text.text, file.string());
+}
+
 }  // namespace
 
 Scene parse_scene(std::string_view text, const std::string& source, const std::filesystem::path& folder) {
   return scene_of(parse_json(text, source), source, folder);
 }
 
-/// The text is let go before the scene is built from the document.
 Scene read_scene(const std::filesystem::path& file) {
-  FileText text = file_text(file, largest_scene_file);
-  if (!text.problem.empty()) throw SceneError(file.string() + ": found " + text.problem + "; expected a scene file");
-  const nlohmann::json document = parse_json(text.text, file.string());
-  text = {};
-  return scene_of(document, file.string(), file.parent_path());
+  return scene_of(document_in(file), file.string(), file.parent_path());
 }
 
 }  // namespace gnomon
