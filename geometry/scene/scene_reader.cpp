@@ -70,20 +70,28 @@ Scene read_document(const JsonNode& document, const std::filesystem::path& folde
   return scene;
 }
 
-}  // namespace
-
-Scene parse_scene(std::string_view text, const std::string& source, const std::filesystem::path& folder) {
-  const nlohmann::json document = parse_json(text, source);
+Scene scene_of(const nlohmann::json& document, const std::string& source, const std::filesystem::path& folder) {
   Scene scene = read_document(JsonNode(document, source), folder);
   scene.source = source;
   for (std::string& doubt : scene_doubts(scene)) scene.doubts.push_back(std::move(doubt));
   return scene;
 }
 
-Scene read_scene(const std::filesystem::path& file) {
+/// The text is let go: large scenes need the memory.
+nlohmann::json document_in(const std::filesystem::path& file) {
   const FileText text = file_text(file, largest_scene_file);
   if (!text.problem.empty()) throw SceneError(file.string() + ": found " + text.problem + "; expected a scene file");
-  return parse_scene(text.text, file.string(), file.parent_path());
+  return parse_json(text.text, file.string());
+}
+
+}  // namespace
+
+Scene parse_scene(std::string_view text, const std::string& source, const std::filesystem::path& folder) {
+  return scene_of(parse_json(text, source), source, folder);
+}
+
+Scene read_scene(const std::filesystem::path& file) {
+  return scene_of(document_in(file), file.string(), file.parent_path());
 }
 
 }  // namespace gnomon

@@ -52,9 +52,7 @@ bool FastLinearVisibility::Work::stand_up(const Point3& apex) {
   ends_[2] = {ends_[0].x + step.x, ends_[0].y + step.y, ends_[0].z + step.z};
   if (!is_in_range(ends_[2])) return false;
   plane_ = light_plane(ends_[0], ends_[1], ends_[2]);
-  const double size = size_of(to_start);
-  plane_.height = plane_.depth(to_start);
-  plane_.height_error = plane_.depth_error(size, unit * size);
+  set_height(plane_, to_start);
   return exact_orientation(ends_[0], ends_[1], ends_[2], apex) < 0;
 }
 
@@ -112,7 +110,7 @@ std::optional<LinearLightSeen> FastLinearVisibility::Work::seen_from(const Point
   stretches_.clear();
   if (!in_range_ || !is_in_range(apex) || !stand_up(apex)) return std::nullopt;
   OutlineBuilder builder(apex, ends_, plane_, outlines_);
-  blockers_.content().collect({apex, outlines_.sides, plane_}, candidates_);
+  blockers_.content().collect({apex, outlines_.pyramid(), plane_}, candidates_);
   const Gathered gathered = builder.append_blockers(blockers_.content(), candidates_);
   if (gathered == Gathered::undecided) return std::nullopt;
   if (gathered == Gathered::covered) return LinearLightSeen{Region::umbra, 0, 0, {}};

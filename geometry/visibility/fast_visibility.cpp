@@ -32,6 +32,7 @@ class FastVisibility::Work {
   void append_visible(BoundaryWalk& walk, const Piece& piece);
   LightSeen bounded(Region region, double fraction, double bound);
   LightSeen visible_part();
+  LightSeen wholly_visible();
 
   BlockerSet blockers_;
   bool two_sided_;
@@ -103,10 +104,7 @@ FastVisibility::Work::Work(const AreaLight& light, BlockerSet blockers)
 LightPlane FastVisibility::Work::plane_from(const Point3& apex, bool reversed) const {
   LightPlane plane = base_;
   if (reversed) plane.normal = {-base_.normal.x, -base_.normal.y, -base_.normal.z};
-  const Vector to_light = corners_[0] - apex;
-  const double size = size_of(to_light);
-  plane.height = plane.depth(to_light);
-  plane.height_error = plane.depth_error(size, unit * size);
+  set_height(plane, corners_[0] - apex);
   return plane;
 }
 
@@ -114,7 +112,7 @@ LightPlane FastVisibility::Work::plane_from(const Point3& apex, bool reversed) c
 Gathered FastVisibility::Work::gather(const Point3& apex, bool reversed) {
   plane_ = plane_from(apex, reversed);
   OutlineBuilder builder(apex, corners_, names_, reversed, plane_, outlines_);
-  blockers_.content().collect({apex, outlines_.sides, plane_}, candidates_);
+  blockers_.content().collect({apex, outlines_.pyramid(), plane_}, candidates_);
   return builder.append_blockers(blockers_.content(), candidates_);
 }
 
@@ -191,6 +189,18 @@ LightSeen FastVisibility::Work::bounded(Region region, double fraction, double b
   return {region, fraction, bound, boundary_, {n.x, n.y, n.z, root_of_three * plane_.error}};
 }
 
+/// The boundary is the light's own.
+LightSeen FastVisibility::Work::wholly_visible() {
+  const Outline& light = outlines_.list.front();
+  boundary_.resize(light.count);
+  for (std::uint32_t k = 0; k < light.count; ++k) {
+    const Edge edge = edge_of(outlines_, light, k);
+    boundary_[k] = {std::nullopt, edge.plane->name, direction_of(*edge.start), direction_of(*edge.end),
+                    directed(*edge.plane, false)};
+  }
+  return bounded(Region::lit, 1, 0);
+}
+
 LightSeen FastVisibility::Work::visible_part() {
   AreaSum sum(plane_, outlines_.rays.front());
   for (std::size_t i = 0; i < visible_.size(); ++i) sum.add(visible_[i], boundary_[i]);
@@ -210,6 +220,7 @@ std::optional<LightSeen> FastVisibility::Work::seen_from(const Point3& point) {
   const Gathered gathered = gather(point, front > 0);
   if (gathered == Gathered::undecided) return std::nullopt;
   if (gathered == Gathered::covered) return LightSeen{Region::umbra, 0, 0, {}, {}};
+  if (outlines_.list.size() == 1) return wholly_visible();
   walk(point);
   for (const Piece& piece : visible_) boundary_.push_back(boundary_piece(piece));
   if (inside_.empty()) return bounded(Region::lit, 1, 0);

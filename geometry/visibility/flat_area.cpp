@@ -12,10 +12,6 @@ double coordinate(const Point3& p, int axis) {
   return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
 }
 
-SightDirection direction_of(const Ray& ray) {
-  return {ray.direction.x, ray.direction.y, ray.direction.z, root_of_three * unit * ray.size};
-}
-
 FlatPoint difference(const FlatPoint& p, const FlatPoint& origin) {
   const double u = p.u - origin.u;
   const double v = p.v - origin.v;

@@ -18,6 +18,11 @@ struct FlatArea {
 /// Of a polygon; `doubled` is correctly rounded and positive.
 FlatArea flat_area(std::span<const Point3> corners, int u, int v);
 
+/// The direction of a ray.
+inline SightDirection direction_of(const Ray& ray) {
+  return {ray.direction.x, ray.direction.y, ray.direction.z, root_of_three * unit * ray.size};
+}
+
 /// The direction in which a station of an edge is seen.
 SightDirection direction_of(const Edge& edge, const Station& station);
 

@@ -54,7 +54,7 @@ struct Outlines {
   std::vector<Plane> planes;
   std::vector<FlatBox> boxes;  ///< of each ray's point on the light's plane
   std::vector<Outline> list;
-  std::vector<Plane> sides;  ///< of the pyramid over the light, positive side inside
+  std::vector<Plane> sides;  ///< of a linear light's pyramid
 
   void clear() {
     sides.clear();
@@ -62,6 +62,10 @@ struct Outlines {
     planes.clear();
     boxes.clear();
     list.clear();
+  }
+  /// The sides of the pyramid over the light, positive side inside.
+  std::span<const Plane> pyramid() const {
+    return sides.empty() ? planes_of(list.front()) : std::span<const Plane>(sides);
   }
   std::span<const Ray> rays_of(const Outline& o) const { return {rays.data() + o.first, o.count}; }
   std::span<const Plane> planes_of(const Outline& o) const { return {planes.data() + o.first, o.count}; }
@@ -74,7 +78,8 @@ struct LightPlane {
   double error = 0;  ///< of each coordinate of the normal
   double height = 0;
   double height_error = 0;
-  int u = 0;  ///< the two coordinates that are kept where the plane is looked at as flat
+  double height_doubt = 0;  ///< at least the relative error of the height
+  int u = 0;                ///< the two coordinates that are kept where the plane is looked at as flat
   int v = 1;
 
   double depth(const Vector& direction) const { return dot(normal, direction); }
@@ -92,6 +97,14 @@ inline double coordinate(const Vector& a, int axis) {
   return axis == 0 ? a.x : axis == 1 ? a.y : a.z;
 }
 
+/// Gives the plane its height over the apex, from which `to_plane` leads to it.
+inline void set_height(LightPlane& plane, const Vector& to_plane) {
+  const double size = size_of(to_plane);
+  plane.height = plane.depth(to_plane);
+  plane.height_error = plane.depth_error(size, unit * size);
+  plane.height_doubt = 1.5 * plane.height_error / plane.height;
+}
+
 /// Where a ray meets the light's plane, relative to the apex, in the two kept coordinates.
 /// Exactness: each coordinate is off by at most `error`, which may be infinite.
 struct FlatPoint {
@@ -100,14 +113,15 @@ struct FlatPoint {
   double error = HUGE_VAL;
 };
 
-/// Bound. The quotient height / depth has the relative error of both and two roundings; the product with a coordinate
+/// Bound. The quotient height / depth has the relative error of both and three roundings; the product with a coordinate
 /// adds one, and the coordinate's own error is scaled along.
 inline FlatPoint meeting_point(const LightPlane& plane, const Vector& direction, double size, double error) {
   const double depth = plane.depth(direction);
   const double depth_error = plane.depth_error(size, error);
   if (!(depth > 4 * depth_error)) return {};
-  const double scale = plane.height / depth;
-  const double relative = 1.5 * depth_error / depth + 1.5 * plane.height_error / plane.height + 5 * unit;
+  const double inverse = 1 / depth;
+  const double scale = plane.height * inverse;
+  const double relative = 1.5 * depth_error * inverse + plane.height_doubt + 6 * unit;
   const double u = scale * coordinate(direction, plane.u);
   const double v = scale * coordinate(direction, plane.v);
   return {u, v, 1.01 * relative * std::max(std::fabs(u), std::fabs(v)) + 2 * scale * error};

@@ -51,8 +51,7 @@ OutlineBuilder::OutlineBuilder(const Point3& apex, std::span<const Point3> light
   outlines_.clear();
   append_rays(light_corners, reversed);
   append_planes(names, reversed);
-  outlines_.sides.assign(outlines_.planes.begin(), outlines_.planes.end());
-  finished(0);
+  append_light();
 }
 
 /// The outline has two rays and the plane through both, one way and the other. The pyramid's other sides stand upright
@@ -72,7 +71,7 @@ OutlineBuilder::OutlineBuilder(const Point3& apex, std::span<const Point3, 3> en
   const Ray beside = ray_through(apex, ends[2]);
   outlines_.sides = {outlines_.planes[0], outlines_.planes[1], plane_through(beside, outlines_.rays[0], 0),
                      plane_through(outlines_.rays[1], beside, 0)};
-  finished(0);
+  append_light();
 }
 
 Seen OutlineBuilder::look_at(const BlockerSet::Content& blockers, std::uint32_t blocker) {
@@ -105,15 +104,39 @@ void OutlineBuilder::append_planes(std::span<const std::uint32_t> names, bool re
   const Ray* rays = outlines_.rays.data() + first_;
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t next = k + 1 == count ? 0 : k + 1;
-    const std::size_t original = reversed ? (2 * count - 2 - k) % count : k;
+    const std::size_t original = !reversed ? k : next == 0 ? count - 1 : count - 1 - next;
     outlines_.planes.push_back(plane_through(rays[k], rays[next], names[original]));
   }
+}
+
+/// Appends the planes of the rays that were appended, these turned round where they run clockwise; 0 if they are seen
+/// edge-on.
+int OutlineBuilder::append_counterclockwise(std::span<const std::uint32_t> names) {
+  const Ray* rays = outlines_.rays.data() + first_;
+  const int turn = side(apex_, plane_through(rays[0], rays[1], 0), rays[2]);
+  if (turn < 0) std::reverse(outlines_.rays.begin() + first_, outlines_.rays.end());
+  if (turn != 0) append_planes(names, turn < 0);
+  return turn;
 }
 
 FlatBox OutlineBuilder::point_box(const Ray& ray, bool& ahead) const {
   const FlatPoint p = meeting_point(plane_, ray.direction, ray.size, unit * ray.size);
   ahead = ahead && p.error < HUGE_VAL;
   return {p.u - p.error, p.v - p.error, p.u + p.error, p.v + p.error};
+}
+
+/// Closes the light's outline. Its corners lie on the light's plane: there is nothing to intersect.
+void OutlineBuilder::append_light() {
+  Outline outline;
+  outline.count = static_cast<std::uint32_t>(outlines_.rays.size());
+  for (const Ray& ray : outlines_.rays) {
+    const double u = coordinate(ray.direction, plane_.u);
+    const double v = coordinate(ray.direction, plane_.v);
+    const double error = 2 * unit * ray.size;
+    outlines_.boxes.push_back({u - error, v - error, u + error, v + error});
+    outline.box.include(outlines_.boxes.back());
+  }
+  outlines_.list.push_back(outline);
 }
 
 Seen OutlineBuilder::dropped() {
@@ -123,7 +146,7 @@ Seen OutlineBuilder::dropped() {
 }
 
 bool OutlineBuilder::certainly_outside() const {
-  for (const Plane& plane : outlines_.sides) {
+  for (const Plane& plane : outlines_.pyramid()) {
     bool outside = true;
     for (std::size_t k = first_; outside && k < outlines_.rays.size(); ++k) {
       const Ray& ray = outlines_.rays[k];
@@ -203,28 +226,26 @@ Seen OutlineBuilder::finished(std::uint32_t element) {
   outline.first = first_;
   outline.count = static_cast<std::uint32_t>(outlines_.rays.size()) - first_;
   outline.element = element;
-  if (!outlines_.list.empty()) {
-    const std::span<const Ray> light = outlines_.rays_of(outlines_.list.front());
-    bool covers = true;
-    for (const Plane& plane : outlines_.planes_of(outline)) {
-      bool apart = true;
-      bool along = extent_ == Extent::length;
-      for (const Ray& ray : light) {
-        const int sign = side(apex_, plane, ray);
-        apart = apart && sign <= 0;
-        along = along && sign == 0;
-        covers = covers && sign >= 0;
-      }
-      if (apart && !along) return dropped();
+  const std::span<const Ray> light = outlines_.rays_of(outlines_.list.front());
+  bool covers = true;
+  for (const Plane& plane : outlines_.planes_of(outline)) {
+    bool apart = true;
+    bool along = extent_ == Extent::length;
+    for (const Ray& ray : light) {
+      const int sign = side(apex_, plane, ray);
+      apart = apart && sign <= 0;
+      along = along && sign == 0;
+      covers = covers && sign >= 0;
     }
-    if (covers) return Seen::covers;
+    if (apart && !along) return dropped();
   }
+  if (covers) return Seen::covers;
   outlines_.boxes.resize(first_);
   for (const Ray& ray : outlines_.rays_of(outline)) {
     outlines_.boxes.push_back(point_box(ray, outline.ahead));
     outline.box.include(outlines_.boxes.back());
   }
-  if (!outlines_.list.empty()) outline.box.cut(outlines_.list.front().box);
+  outline.box.cut(outlines_.list.front().box);
   outlines_.list.push_back(outline);
   return Seen::outlined;
 }
@@ -235,17 +256,10 @@ Seen OutlineBuilder::append_flat(std::span<const Point3> corners, std::span<cons
   if (certainly_outside() || certainly_behind_apex()) return dropped();
   const Depth depth = depth_of(std::span(outlines_.rays).subspan(first_));
   if (depth == Depth::behind) return dropped();
-  append_planes(names, false);
-  const int turn = side(apex_, outlines_.planes[first_], outlines_.rays[first_ + 2]);
-  if (turn == 0) {
+  if (append_counterclockwise(names) == 0) {
     const bool open = hides_edge_on(corners);
     dropped();
     return open ? Seen::undecided : Seen::apart;
-  }
-  if (turn < 0) {
-    std::reverse(outlines_.rays.begin() + first_, outlines_.rays.end());
-    outlines_.planes.resize(first_);
-    append_planes(names, true);
   }
   if (depth == Depth::in_front) {
     const Seen seen = finished(element);
@@ -318,12 +332,7 @@ Seen OutlineBuilder::append_solid(const ConvexSolid& solid, std::uint32_t elemen
   for (const std::uint32_t i : solid.corners()) corners.push_back(ray_through(apex_, points[i]));
   const Depth depth = depth_of(corners);
   if (depth == Depth::behind) return dropped();
-  append_planes(names, false);
-  if (side(apex_, outlines_.planes[first_], outlines_.rays[first_ + 2]) < 0) {
-    std::reverse(outlines_.rays.begin() + first_, outlines_.rays.end());
-    outlines_.planes.resize(first_);
-    append_planes(names, true);
-  }
+  append_counterclockwise(names);
   const bool decided = !runs_along_light(corners) && (depth == Depth::in_front || light_beyond_all_shown(solid));
   const Seen seen = finished(element);
   return decided || seen == Seen::apart ? seen : Seen::undecided;

@@ -62,6 +62,8 @@ class OutlineBuilder {
   bool certainly_outside() const;
   bool certainly_behind_apex() const;
   Depth depth_of(std::span<const Ray> rays) const;
+  int append_counterclockwise(std::span<const std::uint32_t> names);
+  void append_light();
   Seen look_at(const BlockerSet::Content& blockers, std::uint32_t blocker);
   bool runs_along_light(std::span<const Ray> rays) const;
   bool hides_edge_on(std::span<const Point3> corners) const;

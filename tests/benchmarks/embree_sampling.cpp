@@ -68,19 +68,14 @@ double EmbreeSampling::irradiance(const Point3& point, std::size_t k) {
   return sum * cell * cell;
 }
 
-std::size_t cells_for_error(EmbreeSampling& sampling, const TriangleScene& scene, const std::vector<double>& expected,
-                            double relative) {
-  for (std::size_t k = 4;; k = k % 3 == 0 ? k / 3 * 4 : k / 2 * 3) {
-    double squares = 0;
-    double mean = 0;
-    for (std::size_t i = 0; i < scene.points.size(); ++i) {
-      const double error = sampling.irradiance(scene.points[i], k) - expected[i];
-      squares += error * error;
-      mean += expected[i];
-    }
-    const auto count = static_cast<double>(scene.points.size());
-    if (std::sqrt(squares / count) <= relative * mean / count || k > 1000) return k;
+double squared_error(EmbreeSampling& sampling, const TriangleScene& scene, const std::vector<double>& expected,
+                     std::size_t k) {
+  double squares = 0;
+  for (std::size_t i = 0; i < scene.points.size(); ++i) {
+    const double error = sampling.irradiance(scene.points[i], k) - expected[i];
+    squares += error * error;
   }
+  return squares;
 }
 
 }  // namespace gnomon::benchmarks

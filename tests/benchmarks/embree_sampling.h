@@ -21,9 +21,8 @@ class EmbreeSampling {
   std::unique_ptr<Work> work_;
 };
 
-/// The least k of 4, 6, 8, 12, 16, ... whose root mean square error over the scene's points is at most `relative` of
-/// the mean of the expected values.
-std::size_t cells_for_error(EmbreeSampling& sampling, const TriangleScene& scene, const std::vector<double>& expected,
-                            double relative);
+/// The squared error of an estimate from k * k cells at each of the scene's points, added up.
+double squared_error(EmbreeSampling& sampling, const TriangleScene& scene, const std::vector<double>& expected,
+                     std::size_t k);
 
 }  // namespace gnomon::benchmarks

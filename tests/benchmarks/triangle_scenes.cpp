@@ -50,16 +50,31 @@ ConvexPolygon triangle(Draws& draws, double radius) {
 
 }  // namespace
 
-TriangleScene triangle_scene(std::size_t n) {
-  Draws draws(n);
+namespace {
+
+TriangleScene drawn_scene(std::size_t n, std::size_t points, std::size_t seed) {
+  Draws draws(seed);
   TriangleScene scene{{ConvexPolygon::from_points({{-.5, -.5, 4}, {-.5, .5, 4}, {.5, .5, 4}, {.5, -.5, 4}})}, {}, {}};
   const double radius = 0.9 / std::sqrt(static_cast<double>(n)) + 0.02;
   for (std::size_t i = 0; i < n; ++i) scene.blockers.push_back(triangle(draws, radius));
-  for (int i = 0; i < 512; ++i) {
+  for (std::size_t i = 0; i < points; ++i) {
     const double x = draws.between(-1, 1);
     scene.points.push_back({x, draws.between(-1, 1), 0});
   }
   return scene;
+}
+
+}  // namespace
+
+TriangleScene triangle_scene(std::size_t n) {
+  return drawn_scene(n, 512, n);
+}
+
+std::vector<TriangleScene> triangle_scenes(std::size_t n) {
+  if (n >= 16) return {triangle_scene(n)};
+  std::vector<TriangleScene> scenes;
+  for (std::size_t i = 0; i < 16; ++i) scenes.push_back(drawn_scene(n, 32, n + 1000 * i));
+  return scenes;
 }
 
 }  // namespace gnomon::benchmarks

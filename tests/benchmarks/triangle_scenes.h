@@ -19,4 +19,7 @@ struct TriangleScene {
 /// evenly over [-1,1]² and the heights from 1 to 3. Always the same for an n.
 TriangleScene triangle_scene(std::size_t n);
 
+/// 512 points in all, of one scene or, where a few triangles may happen to stand aside, of sixteen.
+std::vector<TriangleScene> triangle_scenes(std::size_t n);
+
 }  // namespace gnomon::benchmarks

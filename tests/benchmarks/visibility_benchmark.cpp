@@ -1,6 +1,10 @@
 #include <benchmark/benchmark.h>
 
+#include <cmath>
+#include <memory>
+#include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/visibility/fast_visibility.h"
@@ -20,43 +24,78 @@ std::size_t blockers(const benchmark::State& state) {
   return static_cast<std::size_t>(state.range(0));
 }
 
-/// Of every point; a point that is left to the exact level counts in `open`.
-std::vector<double> irradiances(const TriangleScene& scene, std::size_t& open) {
-  FastVisibility visibility(scene.light, BlockerSet(scene.blockers));
+/// A scene and who looks at its points.
+struct Looked {
+  explicit Looked(TriangleScene drawn) : scene(std::move(drawn)), visibility(scene.light, BlockerSet(scene.blockers)) {}
+
+  TriangleScene scene;
+  FastVisibility visibility;
+};
+
+/// Of every point; 0 for one that is left to the exact level.
+std::vector<double> irradiances(Looked& looked) {
   std::vector<double> values;
-  for (const Point3& p : scene.points) {
-    const std::optional<LightSeen> seen = visibility.seen_from(p);
-    if (!seen) ++open;
+  for (const Point3& p : looked.scene.points) {
+    const std::optional<LightSeen> seen = looked.visibility.seen_from(p);
     values.push_back(seen ? lambert_irradiance(*seen, up, 1).value : 0);
   }
   return values;
 }
 
 void visibility_fast(benchmark::State& state) {
-  const TriangleScene scene = triangle_scene(blockers(state));
-  FastVisibility visibility(scene.light, BlockerSet(scene.blockers));
+  std::vector<Looked> all;
+  for (TriangleScene& scene : triangle_scenes(blockers(state))) all.emplace_back(std::move(scene));
+  std::size_t looked = 0;
   std::size_t next = 0;
   for (auto unused : state) {
-    const std::optional<LightSeen> seen = visibility.seen_from(scene.points[next]);
+    const std::optional<LightSeen> seen = all[looked].visibility.seen_from(all[looked].scene.points[next]);
     if (!seen) {
       state.SkipWithError("a point is left to the exact level");
       break;
     }
     benchmark::DoNotOptimize(lambert_irradiance(*seen, up, 1));
-    next = next + 1 == scene.points.size() ? 0 : next + 1;
+    if (++next < all[looked].scene.points.size()) continue;
+    next = 0;
+    looked = looked + 1 == all.size() ? 0 : looked + 1;
+  }
+}
+
+/// A scene, its rays, and what they are to find.
+struct Sampled {
+  explicit Sampled(TriangleScene drawn)
+      : looked(std::move(drawn)),
+        expected(irradiances(looked)),
+        sampling(std::make_unique<EmbreeSampling>(looked.scene)) {}
+
+  Looked looked;
+  std::vector<double> expected;
+  std::unique_ptr<EmbreeSampling> sampling;
+};
+
+/// The least k of 4, 6, 8, 12, 16, ... whose root mean square error over all points is at most `relative` of the mean.
+std::size_t cells_for_error(std::vector<Sampled>& all, double relative) {
+  for (std::size_t k = 4;; k = k % 3 == 0 ? k / 3 * 4 : k / 2 * 3) {
+    double squares = 0;
+    double sum = 0;
+    double count = 0;
+    for (Sampled& one : all) {
+      squares += squared_error(*one.sampling, one.looked.scene, one.expected, k);
+      sum = std::accumulate(one.expected.begin(), one.expected.end(), sum);
+      count += static_cast<double>(one.expected.size());
+    }
+    if (std::sqrt(squares / count) <= relative * sum / count || k > 1000) return k;
   }
 }
 
 void visibility_embree(benchmark::State& state) {
-  const TriangleScene scene = triangle_scene(blockers(state));
-  EmbreeSampling sampling(scene);
-  std::size_t open = 0;
-  const std::vector<double> expected = irradiances(scene, open);
-  const std::size_t k = cells_for_error(sampling, scene, expected, 1e-3);
+  std::vector<Sampled> all;
+  for (TriangleScene& scene : triangle_scenes(blockers(state))) all.emplace_back(std::move(scene));
+  const std::size_t k = cells_for_error(all, 1e-3);
   std::size_t next = 0;
   for (auto unused : state) {
-    benchmark::DoNotOptimize(sampling.irradiance(scene.points[next], k));
-    next = next + 1 == scene.points.size() ? 0 : next + 1;
+    Sampled& one = all[next % all.size()];
+    benchmark::DoNotOptimize(one.sampling->irradiance(one.looked.scene.points[next % one.expected.size()], k));
+    ++next;
   }
   state.counters["rays"] = static_cast<double>(k * k);
 }

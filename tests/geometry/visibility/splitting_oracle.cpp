@@ -1,5 +1,6 @@
 #include "tests/geometry/visibility/splitting_oracle.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace gnomon::testing {
@@ -63,9 +64,21 @@ std::vector<Polygon> flat_parts(const ConvexBlocker& blocker) {
   return parts;
 }
 
+/// True if a half-space has no inner point of the polygon: nothing of the polygon is hidden then.
+bool is_apart(const Polygon& polygon, const std::vector<ExactPlane>& half_spaces) {
+  return std::any_of(half_spaces.begin(), half_spaces.end(), [&](const ExactPlane& half_space) {
+    return std::all_of(polygon.begin(), polygon.end(),
+                       [&](const ExactVector& corner) { return half_space.side(corner) <= 0; });
+  });
+}
+
 void take_away(std::vector<Polygon>& pieces, const std::vector<ExactPlane>& half_spaces) {
   std::vector<Polygon> left;
   for (Polygon& piece : pieces) {
+    if (is_apart(piece, half_spaces)) {
+      left.push_back(std::move(piece));
+      continue;
+    }
     for (const ExactPlane& half_space : half_spaces) {
       Polygon outside = clipped(piece, half_space.reversed());
       if (area(outside) > 0) left.push_back(std::move(outside));
