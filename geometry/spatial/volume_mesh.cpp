@@ -20,7 +20,9 @@ namespace {
 /// Numbers the vertices that an output uses, in order of first use.
 class OutputVertices {
  public:
-  explicit OutputVertices(const ExactSpace& space) : indices_(space.vertex_count(), none) {}
+  explicit OutputVertices(const ExactSpace& space) : indices_(space.vertex_count(), none) {
+    used_.reserve(indices_.size());
+  }
 
   std::uint32_t index(VertexId vertex) {
     if (indices_[vertex] == none) {
@@ -42,11 +44,18 @@ class OutputVertices {
   std::vector<VertexId> used_;
 };
 
+std::size_t triangle_count(const ExactSurface& surface) {
+  std::size_t count = 0;
+  for (const ExactSurface::Facet& facet : surface.facets) count += facet.triangles.size();
+  return count;
+}
+
 VolumeMesh volume_mesh(const ExactSpace& space, const ExactSurface& surface, VertexRounding& rounding) {
   VolumeMesh mesh;
   if (surface.facets.empty()) return mesh;
   OutputVertices vertices(space);
   mesh.facets.reserve(surface.facets.size());
+  mesh.triangles.reserve(triangle_count(surface));
   for (const ExactSurface::Facet& facet : surface.facets) {
     const auto facet_index = static_cast<std::uint32_t>(mesh.facets.size());
     mesh.facets.push_back(space.name(facet.plane));
