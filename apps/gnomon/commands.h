@@ -48,4 +48,7 @@ ExitCode irradiance_command(Arguments arguments);
 /// `gnomon render`: a picture of a scene or of a folder written by `gnomon shadow`.
 ExitCode render_command(Arguments arguments);
 
+/// `gnomon theorems`: the statements of the theory, checked case by case; the false ones with counterexamples.
+ExitCode theorems_command(Arguments arguments);
+
 }  // namespace gnomon

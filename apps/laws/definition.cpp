@@ -24,12 +24,14 @@ std::vector<ExactPlane> hidden_from(const ExactVector& p, const Polygon& blocker
 }
 
 Polygon clipped(const Polygon& polygon, const ExactPlane& plane) {
+  std::vector<Rational> heights;
+  for (const ExactVector& p : polygon) heights.push_back(plane.height(p));
+  if (std::ranges::all_of(heights, [](const Rational& height) { return sign(height) >= 0; })) return polygon;
   Polygon kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const ExactVector& a = polygon[i];
-    const ExactVector& b = polygon[(i + 1) % polygon.size()];
-    const Rational height_a = plane.height(a);
-    const Rational height_b = plane.height(b);
+    const std::size_t next = (i + 1) % polygon.size();
+    const ExactVector &a = polygon[i], &b = polygon[next];
+    const Rational &height_a = heights[i], &height_b = heights[next];
     if (sign(height_a) >= 0) kept.push_back(a);
     if (sign(height_a) * sign(height_b) < 0) kept.push_back(a + Rational(height_a / (height_a - height_b)) * (b - a));
   }

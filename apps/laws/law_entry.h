@@ -1,6 +1,7 @@
 #pragma once
 
 #include <exception>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
@@ -76,17 +77,44 @@ void count_case(const Case& drawn, Census& census) {
   }
 }
 
+/// RapidCheck keeps what it draws from in variables that all threads share: they draw one at a time, and check at once.
+inline std::mutex& drawing() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+/// What a shrinkable case holds. It is drawn anew every time it is asked for.
+template <class Case>
+Case value_of(const rc::Shrinkable<Case>& drawn) {
+  const std::lock_guard lock(drawing());
+  return drawn.value();
+}
+
+/// The next of the smaller cases, or nothing.
+template <class Case>
+std::optional<rc::Shrinkable<Case>> next_of(rc::Seq<rc::Shrinkable<Case>>& candidates) {
+  const std::lock_guard lock(drawing());
+  auto next = candidates.next();
+  return next ? std::optional(*next) : std::nullopt;
+}
+
+template <class Case>
+rc::Seq<rc::Shrinkable<Case>> shrinks_of(const rc::Shrinkable<Case>& drawn) {
+  const std::lock_guard lock(drawing());
+  return drawn.shrinks();
+}
+
 /// Tells a smaller case that breaks the law too, and why it does, found by taking the first smaller one again and
 /// again.
 template <class Case>
 void tell_shrunk(rc::Shrinkable<Case> worst, Checker<Case> check, const Subject& subject, Outcome& outcome) {
-  Verdict why = guarded(check, worst.value(), subject);
+  Verdict why = guarded(check, value_of(worst), subject);
   int left = 2000;
   for (bool smaller = true; smaller && left > 0;) {
     smaller = false;
-    rc::Seq<rc::Shrinkable<Case>> candidates = worst.shrinks();
-    for (auto candidate = candidates.next(); candidate && left-- > 0; candidate = candidates.next()) {
-      Verdict found = guarded(check, candidate->value(), subject);
+    rc::Seq<rc::Shrinkable<Case>> candidates = shrinks_of(worst);
+    for (auto candidate = next_of(candidates); candidate && left-- > 0; candidate = next_of(candidates)) {
+      Verdict found = guarded(check, value_of(*candidate), subject);
       if (found.kind != Verdict::Kind::fails) continue;
       worst = *candidate;
       why = std::move(found);
@@ -94,8 +122,9 @@ void tell_shrunk(rc::Shrinkable<Case> worst, Checker<Case> check, const Subject&
       break;
     }
   }
-  outcome.counterexample = told(why, worst.value());
-  outcome.example = example_of(worst.value());
+  const Case smallest = value_of(worst);
+  outcome.counterexample = told(why, smallest);
+  outcome.example = example_of(smallest);
 }
 
 /// A stream of cases of one law in one domain: the same for the same seed, on every machine.
@@ -123,12 +152,13 @@ Outcome outcome(const rc::Gen<Case>& cases, Checker<Case> check, rc::Random rand
   constexpr std::uint32_t most_draws_per_case = 20;
   Outcome result;
   while (result.premise_held < parameters.cases && result.cases < most_draws_per_case * parameters.cases) {
-    const rc::Shrinkable<Case> drawn = cases(random.split());
-    const Verdict found = guarded(check, drawn.value(), parameters.subject);
-    count_verdict(found, drawn.value(), result);
-    if (parameters.counts_regions) count_case(drawn.value(), result.census);
+    const rc::Shrinkable<Case> shrinkable = cases(random.split());
+    const Case drawn = value_of(shrinkable);
+    const Verdict found = guarded(check, drawn, parameters.subject);
+    count_verdict(found, drawn, result);
+    if (parameters.counts_regions) count_case(drawn, result.census);
     if (found.kind != Verdict::Kind::fails) continue;
-    tell_shrunk(drawn, check, parameters.subject, result);
+    tell_shrunk(shrinkable, check, parameters.subject, result);
     break;
   }
   return result;

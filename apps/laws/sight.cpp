@@ -70,13 +70,22 @@ bool meets(const Walls& blocker, const ExactVector& p, const ExactVector& step, 
   return has_common_part(functions, endless);
 }
 
-/// For two walls with p above one and below the other, the plane through p and the line they meet in.
-std::optional<ExactPlane> plane_between(const ExactPlane& above, const ExactPlane& below, const ExactVector& p) {
-  const Rational a = above.height(p);
-  const Rational b = below.height(p);
-  if (sign(a) <= 0 || sign(b) >= 0) return std::nullopt;
-  // The combination of the two that vanishes at p: positive weights, so it is not positive in the blocker.
-  return ExactPlane{a * below.normal - b * above.normal, Rational(a * below.offset - b * above.offset)};
+/// For every two walls with p above one and below the other, the plane through p and the line they meet in.
+Walls planes_between(const Walls& blocker, const ExactVector& p) {
+  std::vector<Rational> heights;
+  for (const ExactPlane& wall : blocker) heights.push_back(wall.height(p));
+  Walls result;
+  for (std::size_t i = 0; i < blocker.size(); ++i) {
+    if (sign(heights[i]) <= 0) continue;
+    for (std::size_t j = 0; j < blocker.size(); ++j) {
+      if (sign(heights[j]) >= 0) continue;
+      // The combination of the two that vanishes at p: positive weights, so it is not positive in the blocker.
+      const Rational &a = heights[i], &b = heights[j];
+      result.push_back(
+          {a * blocker[j].normal - b * blocker[i].normal, Rational(a * blocker[j].offset - b * blocker[i].offset)});
+    }
+  }
+  return result;
 }
 
 /// Closed half-spaces below planes that hold, up to sets without area, the hidden points; and planes that must not hold
@@ -88,24 +97,24 @@ struct HiddenSpace {
 
 /// Eliminates the place on the segment from the inequalities of all walls, pair by pair.
 HiddenSpace hidden_space(const Walls& blocker, const ExactVector& p) {
-  HiddenSpace space;
+  HiddenSpace space{planes_between(blocker, p), {}};
   for (const ExactPlane& wall : blocker) {
-    if (wall.side(p) == 0) space.below.push_back(wall);
-    if (wall.side(p) > 0) space.strictly_below.push_back(wall);
-    for (const ExactPlane& other : blocker) {
-      if (const auto plane = plane_between(wall, other, p)) space.below.push_back(*plane);
-    }
+    const int side = wall.side(p);
+    if (side == 0) space.below.push_back(wall);
+    if (side > 0) space.strictly_below.push_back(wall);
   }
   return space;
 }
 
 Polygon clipped_below(const Polygon& polygon, const ExactPlane& plane) {
+  std::vector<Rational> heights;
+  for (const ExactVector& p : polygon) heights.push_back(plane.height(p));
+  if (std::ranges::all_of(heights, [](const Rational& height) { return sign(height) <= 0; })) return polygon;
   Polygon kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const ExactVector& a = polygon[i];
-    const ExactVector& b = polygon[(i + 1) % polygon.size()];
-    const Rational at_a = plane.height(a);
-    const Rational at_b = plane.height(b);
+    const std::size_t next = (i + 1) % polygon.size();
+    const ExactVector &a = polygon[i], &b = polygon[next];
+    const Rational &at_a = heights[i], &at_b = heights[next];
     if (sign(at_a) <= 0) kept.push_back(a);
     if (sign(at_a) * sign(at_b) < 0) kept.push_back(a + Rational(at_a / (at_a - at_b)) * (b - a));
   }
@@ -168,12 +177,8 @@ Rational visible_length_share(const ExactVector& start, const ExactVector& end, 
     if (zero > 0 && zero < 1) places.push_back(zero);
   };
   for (const Walls& blocker : blockers) {
-    for (const ExactPlane& wall : blocker) {
-      add(wall);
-      for (const ExactPlane& other : blocker) {
-        if (const auto plane = plane_between(wall, other, p)) add(*plane);
-      }
-    }
+    for (const ExactPlane& wall : blocker) add(wall);
+    for (const ExactPlane& plane : planes_between(blocker, p)) add(plane);
   }
   std::ranges::sort(places);
   Rational visible = 0;

@@ -42,6 +42,12 @@ TEST_F(RenderedPicture, HasTheSizeAskedFor) {
   EXPECT_EQ(size_of("table.png"), "320x200");
 }
 
+TEST_F(RenderedPicture, IsMadeOfCounterexamples) {
+  EXPECT_EQ(gnomon("theorems --cases 10 --only F2,F3 --out found").code, 0);
+  EXPECT_EQ(size_of("found/F2.png"), "1280x960");
+  EXPECT_EQ(size_of("found/F3.png"), "1280x960");
+}
+
 TEST_F(RenderedPicture, IsMadeOfAFolderOfResults) {
   ASSERT_EQ(gnomon("shadow table.scene.json --out shadows --quiet").code, 0);
   const Outcome run = gnomon("render shadows --out shadows.png --quiet");
