@@ -60,18 +60,15 @@ TEST_F(Program, RefusesAnOptionInPlaceOfACommand) {
 }
 
 TEST_F(Program, EveryHelpEndsWithTwoExamples) {
-  for (const std::string command : {"", "shadow ", "check ", "regions ", "grid ", "irradiance ", "render "}) {
-    EXPECT_THAT(examples_of(gnomon(command + "--help").out), SizeIs(2)) << command;
-  }
-}
-
-TEST_F(Program, TheExamplesInItsHelpAreTrue) {
-  for (const std::string command : {"", "shadow ", "check ", "regions ", "grid ", "irradiance "}) {
-    for (const std::string& example : examples_of(gnomon(command + "--help").out)) {
-      const Outcome run = gnomon(example);
-      EXPECT_EQ(run.code, 0) << example << '\n' << run.err;
-      EXPECT_THAT(run.out, Not(IsEmpty())) << example;
-    }
+  std::vector<std::string> commands = commands_of(gnomon("--help").out);
+  EXPECT_THAT(commands, testing::IsSupersetOf({"shadow", "check", "regions", "grid", "irradiance", "render"}));
+  commands.emplace_back();
+  for (const std::string& command : commands) {
+    const std::string help = gnomon(command + " --help").out;
+    EXPECT_THAT(examples_of(help), SizeIs(2)) << command;
+    EXPECT_THAT(help.substr(help.find("Examples:")),
+                testing::MatchesRegex("Examples:\n  gnomon [^\n]*\n  gnomon [^\n]*\n+"))
+        << command;
   }
 }
 

@@ -70,6 +70,26 @@ std::vector<std::string> Program::names_in(const std::string& folder) const {
   return names;
 }
 
+std::vector<std::string> commands_of(const std::string& help) {
+  std::istringstream lines(help.substr(std::min(help.find("Commands:\n"), help.size())));
+  std::string line;
+  std::getline(lines, line);
+  std::vector<std::string> found;
+  while (std::getline(lines, line) && line.starts_with("  ")) found.push_back(line.substr(2, line.find(' ', 2) - 2));
+  return found;
+}
+
+std::vector<std::string> options_of(const std::string& help) {
+  std::istringstream lines(help);
+  std::vector<std::string> found;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t start = line.starts_with("  -h,") ? 5 : 2;
+    if (!line.starts_with("  -") || line.substr(start, 2) != "--") continue;
+    found.push_back(line.substr(start, line.find_first_of(" ,", start) - start));
+  }
+  return found;
+}
+
 std::vector<std::string> examples_of(const std::string& help) {
   std::istringstream lines(help.substr(std::min(help.find("Examples:"), help.size())));
   const std::string start = "  gnomon ";

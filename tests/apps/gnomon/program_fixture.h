@@ -45,6 +45,12 @@ class Program : public ::testing::Test {
   std::filesystem::path folder_;
 };
 
+/// The commands that the program's help lists.
+std::vector<std::string> commands_of(const std::string& help);
+
+/// The long options that a help text describes, with their dashes.
+std::vector<std::string> options_of(const std::string& help);
+
 /// The lines "  gnomon ..." that follow "Examples:" in a help text, without the program's name.
 std::vector<std::string> examples_of(const std::string& help);
 

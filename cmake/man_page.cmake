@@ -1,0 +1,34 @@
+# cmake -DPROGRAM=gnomon -DVERSION=1.2.3 -DOUT=gnomon.1 -P man_page.cmake
+# Writes the manual page from what the program says of itself: its own help, then that of every command it lists.
+function(help_of out)
+  execute_process(COMMAND ${PROGRAM} ${ARGN} --help OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
+  set(${out} "${text}" PARENT_SCOPE)
+endfunction()
+
+# Lines are the program's own and stay as they are, but options and what they do become paragraphs.
+function(roff out text)
+  string(REPLACE "\\" "\\(rs" text "${text}")
+  string(REPLACE "-" "\\-" text "${text}")
+  string(REPLACE "\n." "\n\\&." text "${text}")
+  string(REPLACE "\n'" "\n\\&'" text "${text}")
+  string(REGEX REPLACE "\n            +([^ \n])" "   \\1" text "${text}")
+  string(REGEX REPLACE "\n  (\\\\-[^ \n]+( [^ \n]+)*)  +([^\n]+)" "\n.fi\n.TP\n.B \\1\n\\3\n.PP\n.nf" text "${text}")
+  set(${out} ".nf\n${text}.fi\n" PARENT_SCOPE)
+endfunction()
+
+help_of(main)
+string(REGEX MATCH "Commands:\n(  [^\n]*\n)+" list "${main}")
+string(REGEX MATCHALL "\n  [a-z]+" commands "${list}")
+
+roff(body "${main}")
+string(CONCAT page ".TH GNOMON 1 \"\" \"gnomon ${VERSION}\" \"User Commands\"\n"
+  ".SH NAME\ngnomon \\- exact shadow geometry\n"
+  ".SH SYNOPSIS\n.B gnomon\n\\fICOMMAND\\fR [\\fIOPTIONS\\fR]\n.SH DESCRIPTION\n" "${body}")
+foreach(command IN LISTS commands)
+  string(STRIP "${command}" command)
+  help_of(text ${command})
+  roff(body "${text}")
+  string(TOUPPER ${command} title)
+  string(APPEND page ".SH GNOMON ${title}\n" "${body}")
+endforeach()
+file(WRITE ${OUT} "${page}")

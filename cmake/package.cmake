@@ -1,0 +1,20 @@
+# cpack -G DEB makes a package of what `cmake --install` installs. Shared libraries are found by dpkg-shlibdeps; what the
+# program only uses when asked to (a virtual display, three.js) is recommended.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME gnomon)
+set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Exact shadow geometry: umbra, penumbra and visible light")
+set(CPACK_PACKAGE_DESCRIPTION
+"gnomon computes exact shadows: for a light and opaque blockers it says where the umbra, the penumbra and the light are,
+and which edges and vertices make each boundary. The package holds the program with its manual page, the libraries with
+their headers, and a plugin for ParaView.")
+set(CPACK_PACKAGE_CONTACT "The gnomon maintainers <maintainers@users.noreply.github.com>")
+set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION math)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "xvfb, libgl1-mesa-dri, libjs-three")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "paraview, libcgal-dev, libvtk9-dev")
+include(CPack)

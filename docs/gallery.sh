@@ -1,0 +1,46 @@
+#!/bin/sh
+# Makes every picture of the documentation from computed geometry: gallery.sh GNOMON [FOLDER]
+# GNOMON is the program; FOLDER (docs/pictures) gets the pictures. ./bootstrap gallery builds the program and runs this.
+set -eu
+gnomon=$(realpath "$1")
+cd "$(dirname "$0")"
+folder=$(realpath -m "${2:-pictures}")
+mkdir -p "$folder"
+examples=$PWD/../examples
+
+# scene SCENE PICTURE [OPTION...]
+scene() {
+  file=$examples/$1.scene.json
+  picture=$folder/$2
+  shift 2
+  "$gnomon" render "$file" --out "$picture" --size 960x720 "$@"
+}
+
+scene figure_4_16 figure_4_16.png
+scene figure_4_17 figure_4_17.png
+scene figure_4_18_no_umbra figure_4_18.png
+scene figure_4_19 figure_4_19.png
+scene figure_4_20_one_penumbra figure_4_20.png
+scene figure_4_21 figure_4_21.png
+"$gnomon" render "$examples/figure_4_22.scene.json" --out "$folder/figure_4_22.png"
+scene figure_4_23 figure_4_23.png --box -4,-4,-0.5,5,4,4.5
+scene figure_4_24_a figure_4_24_a.png
+scene figure_4_24_b figure_4_24_b.png
+scene cornell_box cornell_box.png
+scene letter_block letter_block.png
+
+# Pictures by ParaView, where pvbatch and its Python modules are.
+if command -v pvbatch >/dev/null; then
+  work=$(mktemp -d)
+  trap 'rm -rf "$work"' EXIT
+  cd "$work"
+  floor="--box -5,-4,0,5,4,0.001 --shape 201,161,1 --quiet"
+  "$gnomon" shadow "$examples/figure_4_22.scene.json" --box -5,-4,0,5,4,5 --out out --quiet
+  # shellcheck disable=SC2086 # a list of words
+  "$gnomon" grid "$examples/figure_4_22.scene.json" $floor --out floor.vti
+  # shellcheck disable=SC2086
+  "$gnomon" grid "$examples/two_lamps.scene.json" $floor --out two.vti
+  xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" pvbatch "$OLDPWD/paraview_pictures.py" "$folder"
+else
+  echo "gallery: pvbatch (Debian package paraview) is not installed; the pictures by ParaView stay as they are"
+fi
