@@ -1,6 +1,7 @@
 #include "apps/laws/any_position_laws.h"
 
 #include <algorithm>
+#include <span>
 #include <sstream>
 
 #include "apps/laws/any_pair.h"
@@ -8,6 +9,8 @@
 #include "apps/laws/draw.h"
 #include "apps/laws/law_entry.h"
 #include "apps/laws/meeting.h"
+#include "geometry/spatial/shadow_volume.h"
+#include "geometry/visibility/visibility.h"
 
 namespace gnomon::laws {
 namespace {
@@ -185,6 +188,15 @@ std::string description(const PocketCase& drawn) {
   return out.str();
 }
 
+Example example(const PocketCase& drawn) {
+  const ConvexBlocker solid = drawn.solid();
+  return spatial_example(drawn.light(), std::span(&solid, 1), {drawn.point});
+}
+
+void count_regions(const PocketCase& drawn, Census& census) {
+  census.add(shadow_volumes(drawn.light(), drawn.solid()));
+}
+
 rc::Gen<PocketCase> pocket_cases(Domain domain) {
   return rc::gen::exec([=] {
     const double unit = domain == Domain::random ? 1 : 1 + 0x1p-50 * draw(-4, 4);
@@ -235,6 +247,14 @@ std::string description(const ConcaveCase& drawn) {
   std::string text;
   for (const ConvexBlocker& part : drawn.parts) text += description(AnyPair{drawn.light, part, {drawn.point}});
   return text;
+}
+
+Example example(const ConcaveCase& drawn) {
+  return spatial_example(drawn.light, drawn.parts, {drawn.point});
+}
+
+void count_regions(const ConcaveCase& drawn, Census& census) {
+  census.add_point(exact_visibility(drawn.light, {drawn.parts, {}}, drawn.point).region);
 }
 
 AnyPair draw_ordinary_pair(Domain domain) {

@@ -57,7 +57,7 @@ struct Outcome {
 
 /// One numbered statement of the theory, and how it is put to the test.
 struct Law {
-  std::string key;        ///< "S4"
+  std::string key;        ///< "S4"; "S6_any" is S6 of pairs in any position
   std::string source;     ///< "[CF91] Theorem 2"
   std::string statement;  ///< one sentence; of a refuted claim, the claim
 

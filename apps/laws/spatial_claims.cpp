@@ -174,8 +174,11 @@ Verdict check_one_pocket(const PocketCase& drawn, const Subject& subject) {
       points, [&](const ExactVector& p) { return !holds(inside, p) && region_of(sight, p) == Region::umbra; });
   const ExactPlane plane = plane_through(exact(drawn.plane[0]), exact(drawn.plane[1]), exact(drawn.plane[2]));
   if (!two_in_umbra || plane.side(points[0]) * plane.side(points[1]) >= 0) return premise_fails();
-  return judged(sight, subject, umbra_crosses_inside_only(drawn),
-                "f = 0 at both points, and between them only inside the solid");
+  const bool refuted = umbra_crosses_inside_only(drawn);
+  if (refuted && subject.shadow_volumes(sight.light, sight.blockers.front()).umbra_pockets < 2) {
+    return verdict(false, "said to have fewer than two pockets");
+  }
+  return judged(sight, subject, refuted, "f = 0 at both points, and between them only inside the solid");
 }
 
 ConvexPolygon polygon(std::vector<Point3> points) {
