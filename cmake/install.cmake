@@ -14,6 +14,7 @@ install(TARGETS gnomon_geometry gnomon_scene gnomon_shading EXPORT gnomonTargets
 install(TARGETS gnomon_viz EXPORT gnomonVizTargets)
 foreach(header IN ITEMS
     geometry/contact.h
+    geometry/discontinuity/discontinuity_surface.h
     geometry/discontinuity/event_name.h
     geometry/discontinuity/receiver_mesh.h
     geometry/errors.h

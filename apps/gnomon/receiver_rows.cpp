@@ -20,7 +20,7 @@ std::vector<TableRow> next_rows(const ReceiverGrid& grid, std::size_t& next) {
   std::vector<TableRow> rows;
   for (; rows.size() < most && next < grid.size(); ++next) {
     const Point3 p = grid.point(next);
-    if (grid.is_on_receiver(p)) rows.push_back(row_of(p, grid.normal(), next + 1));
+    if (grid.is_on_receiver(p)) rows.emplace_back(row_of(p, grid.normal(), next + 1));
   }
   return rows;
 }

@@ -12,18 +12,6 @@ constexpr std::uint32_t leaf_size = 2;
 /// Far more than the relative error of the few operations below, in any rounding mode.
 constexpr double slack = 0x1p-46;
 
-double sum_norm(const std::array<double, 3>& a) {
-  return std::fabs(a[0]) + std::fabs(a[1]) + std::fabs(a[2]);
-}
-
-std::array<double, 3> cross(const std::array<double, 3>& a, const std::array<double, 3>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-std::array<double, 3> difference(const Point3& a, const Point3& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
 Box3 joined(const Box3& a, const Box3& b) {
   return {{std::min(a.min.x, b.min.x), std::min(a.min.y, b.min.y), std::min(a.min.z, b.min.z)},
           {std::max(a.max.x, b.max.x), std::max(a.max.y, b.max.y), std::max(a.max.z, b.max.z)}};
@@ -43,12 +31,12 @@ bool is_outside(const RoughHalfSpace& h, const Box3& box) {
 
 }  // namespace
 
-RoughHalfSpace rough_half_space(const Point3& origin, const std::array<double, 3>& u, const std::array<double, 3>& v) {
+RoughHalfSpace rough_half_space(const Point3& origin, const RoughVector& u, const RoughVector& v) {
   const double size = sum_norm(u) * sum_norm(v);
   return {cross(u, v), origin, slack * size + 0x1p-1000, 0};
 }
 
-RoughHalfSpace rough_side(const RoughHalfSpace& plane, const std::array<double, 3>& along, const Point3& origin,
+RoughHalfSpace rough_side(const RoughHalfSpace& plane, const RoughVector& along, const Point3& origin,
                           const Point3& inside) {
   RoughHalfSpace side{cross(plane.normal, along), origin, 0, 0};
   const double length = sum_norm(along);
@@ -57,7 +45,7 @@ RoughHalfSpace rough_side(const RoughHalfSpace& plane, const std::array<double, 
 }
 
 RoughHalfSpace turned_to(const RoughHalfSpace& plane, const Point3& inside) {
-  const std::array<double, 3> way = difference(inside, plane.origin);
+  const RoughVector way = difference(inside, plane.origin);
   const double value = plane.normal[0] * way[0] + plane.normal[1] * way[1] + plane.normal[2] * way[2];
   if (!(std::fabs(value) > plane.error * sum_norm(way) + plane.offset)) return {{0, 0, 0}, plane.origin, 0, 0};
   return value > 0 ? plane : reversed(plane);

@@ -2,11 +2,11 @@
 
 /// A hierarchy of boxes, searched with half-spaces. Private to this folder.
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "geometry/discontinuity/rough_vector.h"
 #include "geometry/point.h"
 
 namespace gnomon::event {
@@ -16,7 +16,7 @@ namespace gnomon::event {
 /// Exactness: `error` times the distance in the sum norm from `origin`, plus `offset`, bounds what the value at a point
 ///            may be off.
 struct RoughHalfSpace {
-  std::array<double, 3> normal{};  ///< points inside
+  RoughVector normal{};  ///< points inside
   Point3 origin;
   double error = 0;
   double offset = 0;
@@ -24,11 +24,11 @@ struct RoughHalfSpace {
 
 /// The half-spaces on both sides of a plane through an origin, spanned by two vectors; `normal` is their cross product.
 /// The vectors are exact up to one rounding of each coordinate.
-RoughHalfSpace rough_half_space(const Point3& origin, const std::array<double, 3>& u, const std::array<double, 3>& v);
+RoughHalfSpace rough_half_space(const Point3& origin, const RoughVector& u, const RoughVector& v);
 
 /// The half-space bounded by the plane through `origin` along a vector and at right angles to another half-space's,
 /// that holds `inside`.
-RoughHalfSpace rough_side(const RoughHalfSpace& plane, const std::array<double, 3>& along, const Point3& origin,
+RoughHalfSpace rough_side(const RoughHalfSpace& plane, const RoughVector& along, const Point3& origin,
                           const Point3& inside);
 
 inline RoughHalfSpace reversed(RoughHalfSpace h) {

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <tuple>
 #include <utility>
 
+#include "geometry/discontinuity/light_cuts.h"
 #include "geometry/errors.h"
 
 namespace gnomon::event {
@@ -68,6 +70,8 @@ class EventScene::Builder {
       scene_.vertices[vertex_of_.at(scene_.edges[e].a)].edges.push_back(e);
       scene_.vertices[vertex_of_.at(scene_.edges[e].b)].edges.push_back(e);
     }
+    add_cuts();
+    add_cutting_facets();
     scene_.shape_boxes = BoxHierarchy(std::move(boxes_));
     scene_.receiver_boxes = BoxHierarchy(std::move(receiver_boxes_));
   }
@@ -120,6 +124,52 @@ class EventScene::Builder {
           {corners[k], corners[(k + 1) % corners.size()], {EventOf::light, 0, polygon.side_edge(k)}});
     }
     scene_.light_plane = {corners[0], corners[1], corners[2]};
+  }
+
+  /// The ends and edges of where blockers meet the light are numbered after the light's own.
+  void add_cuts() {
+    std::uint32_t index = 0;
+    for (const LightVertex& v : scene_.light_vertices) index = std::max(index, v.name.index + 1);
+    const auto add_vertex = [&](const EventPoint& p) {
+      scene_.points.push_back(p);
+      const auto id = static_cast<PointId>(scene_.points.size() - 1);
+      scene_.cut_vertices.push_back({id, {EventOf::light, 0, index}});
+      return id;
+    };
+    for (const LightCut& cut : light_cuts(scene_)) {
+      const PointId a = add_vertex(cut.ends[0]);
+      if (scene_.kind == LightKind::area) {
+        ++index;
+        scene_.cut_edges.push_back({a, add_vertex(cut.ends[1]), {EventOf::light, 0, index - 1}});
+      }
+      ++index;
+    }
+  }
+
+  void add_cutting_facets() {
+    if (scene_.kind != LightKind::area && scene_.kind != LightKind::linear) return;
+    for (ShapeId s = 0; s < scene_.shapes.size(); ++s) {
+      const Shape& shape = scene_.shapes[s];
+      if (!shape.is_solid) add_cutting_facet(shape.corners, {EventOf::blocker, s, 0});
+      for (std::uint32_t f = 0; f < shape.facets.size(); ++f) {
+        add_cutting_facet(shape.facets[f], {EventOf::blocker, s, f});
+      }
+    }
+  }
+
+  void add_cutting_facet(const std::vector<PointId>& loop, const EventElement& name) {
+    const std::optional<LightCut> cut = plane_cut(scene_, loop);
+    if (!cut) return;
+    CuttingFacet facet{name, loop, {}, {}};
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      facet.edges.push_back(edge_of_.at(std::minmax(loop[k], loop[(k + 1) % loop.size()])));
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+      facet.light_ends[k] = static_cast<PointId>(scene_.points.size());
+      if (k == 1 && scene_.kind == LightKind::linear) facet.light_ends[k] = facet.light_ends[0];
+      if (k == 0 || scene_.kind == LightKind::area) scene_.points.push_back(cut->ends[k]);
+    }
+    scene_.cutting_facets.push_back(std::move(facet));
   }
 
   void add_vertex(PointId id, const EventElement& name, ShapeId shape) {

@@ -73,6 +73,14 @@ struct LightVertex {
 
 enum class LightKind : std::uint8_t { point, direction, linear, area };
 
+/// A flat blocker or a facet of a solid whose plane cuts the light: seen from its side it parts the light.
+struct CuttingFacet {
+  EventElement name;
+  std::vector<PointId> loop;
+  std::vector<EdgeId> edges;
+  std::array<PointId, 2> light_ends{};  ///< where the plane cuts the light's outline; of a linear light twice the same
+};
+
 /// Requires: the rounding mode is protected while it is made.
 class EventScene {
  public:
@@ -83,6 +91,10 @@ class EventScene {
   std::vector<EventPoint> points;
   std::vector<LightVertex> light_vertices;  ///< of an area light: in order
   std::vector<LightEdge> light_edges;
+  /// Where blockers meet the light: their ends count as vertices of the light, they count as edges.
+  std::vector<LightVertex> cut_vertices;
+  std::vector<LightEdge> cut_edges;
+  std::vector<CuttingFacet> cutting_facets;
   std::array<PointId, 3> light_plane{};  ///< of an area light, front positive
   std::vector<BlockerEdge> edges;
   std::vector<BlockerVertex> vertices;

@@ -64,19 +64,14 @@ void Pencil::choose_axis() {
 
 int Pencil::side(PointId point) const {
   if (point == ids_[0] || point == ids_[1] || point == ids_[2]) return 0;
-  const EventPoint& p = points_[point];
-  if (p.kind == EventPoint::Kind::input) {
-    // Relative to an end of the edge, which is never infinitely far away.
-    const Point3 &o = points_[ids_[1]].input, &q = p.input;
-    if (points_[ids_[1]].kind == EventPoint::Kind::input) {
-      const Interval value = normal_[0] * (Interval(q.x) - Interval(o.x)) +
-                             normal_[1] * (Interval(q.y) - Interval(o.y)) +
-                             normal_[2] * (Interval(q.z) - Interval(o.z));
-      if (const auto known = certain_sign(value)) return *known;
-    }
-  }
-  return static_cast<int>(
-      CGAL::sign(bracket<ExactReal>(points_[ids_[0]], points_[ids_[1]], points_[ids_[2]], points_[point])));
+  const EventPoint &v = points_[ids_[0]], &a = points_[ids_[1]], &b = points_[ids_[2]], &p = points_[point];
+  using enum EventPoint::Kind;
+  if (p.kind != input || a.kind != input) return orientation(v, a, b, p);
+  const Interval value = normal_[0] * (Interval(p.input.x) - Interval(a.input.x)) +
+                         normal_[1] * (Interval(p.input.y) - Interval(a.input.y)) +
+                         normal_[2] * (Interval(p.input.z) - Interval(a.input.z));
+  if (const auto known = certain_sign(value)) return *known;
+  return static_cast<int>(CGAL::sign(bracket<ExactReal>(v, a, b, p)));
 }
 
 FunctionId Pencil::add_plane(const std::array<PointId, 3>& plane, int sign) {

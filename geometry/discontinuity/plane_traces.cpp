@@ -1,7 +1,6 @@
 #include "geometry/discontinuity/plane_traces.h"
 
 #include <algorithm>
-#include <optional>
 
 namespace gnomon::event {
 namespace {
@@ -40,17 +39,6 @@ class PlaneTraces {
     }
     if (ends.size() != 2) return;
     add(ends[0], ends[1], {EventKind::light_plane, {EventOf::light, 0, 0}, {EventOf::light, 0, 0}, 0, Extremal::none});
-  }
-
-  void append_facet_planes() {
-    if (scene_.kind != LightKind::area && scene_.kind != LightKind::linear) return;
-    for (ShapeId s = 0; s < scene_.shapes.size(); ++s) {
-      const Shape& shape = scene_.shapes[s];
-      if (!shape.is_solid) append_facet_plane(shape.corners, {EventOf::blocker, s, 0});
-      for (std::uint32_t f = 0; f < shape.facets.size(); ++f) {
-        append_facet_plane(shape.facets[f], {EventOf::blocker, s, f});
-      }
-    }
   }
 
  private:
@@ -148,123 +136,12 @@ class PlaneTraces {
     }
   }
 
-  void append_facet_plane(const std::vector<PointId>& loop, const EventElement& element) {
-    const auto facet_side = [&](PointId p) {
-      return orientation(scene_.points[loop[0]], scene_.points[loop[1]], scene_.points[loop[2]], scene_.points[p]);
-    };
-    const auto is_cut = [&](const auto& ids) {
-      bool above = false, below = false;
-      for (const PointId p : ids) {
-        const int s = facet_side(p);
-        above = above || s > 0;
-        below = below || s < 0;
-      }
-      return above && below;
-    };
-    std::vector<PointId> light;
-    for (const LightVertex& v : scene_.light_vertices) light.push_back(v.point);
-    if (!is_cut(light) || !is_cut(receiver_.corners)) return;
-    trace_facet_plane(loop, light, element);
-  }
-
-  std::vector<ExactVector> cut_points(const ExactPlane& plane, const std::vector<PointId>& loop) const {
-    std::vector<ExactVector> points;
-    for (std::size_t k = 0; k < loop.size(); ++k) {
-      const PointId p = loop[k], q = loop[(k + 1) % loop.size()];
-      const Rational at_p = plane.height(exact(scene_.points[p].input)),
-                     at_q = plane.height(exact(scene_.points[q].input));
-      if (at_p == 0) points.push_back(exact(scene_.points[p].input));
-      if (at_p.sign() * at_q.sign() < 0) points.push_back(crossing(plane, p, q));
-    }
-    return points;
-  }
-
-  void trace_facet_plane(const std::vector<PointId>& loop, const std::vector<PointId>& light,
-                         const EventElement& element);
-
   const EventScene& scene_;
   const Shape& receiver_;
   const ReceiverPlane& plane_;
   std::vector<NamedSegment>& segments_;
   bool light_behind_ = false;
 };
-
-/// A vector of the plane spanned by a line and the origin of homogeneous coordinates: a place on the line times a
-/// weight.
-struct PlaceOnLine {
-  Rational place;
-  Rational weight;
-};
-
-Rational cross(const PlaceOnLine& a, const PlaceOnLine& b) {
-  return a.place * b.weight - a.weight * b.place;
-}
-
-/// True if the place is a sum of non-negative multiples of the generators.
-bool is_in_cone(const PlaceOnLine& p, const std::vector<PlaceOnLine>& generators) {
-  const auto along = [&](const PlaceOnLine& g) { return Rational(p.place * g.place + p.weight * g.weight) > 0; };
-  for (const PlaceOnLine& g : generators) {
-    const Rational turn = cross(p, g);
-    if (turn == 0 && along(g)) return true;
-    // Two generators, one to the left and one to the right, hold the place between them if they turn by less than half.
-    for (const PlaceOnLine& h : generators) {
-      if (turn > 0 && cross(p, h) < 0 && cross(h, g) > 0) return true;
-    }
-  }
-  return false;
-}
-
-/// In the plane of a facet, points from which the light's section is hidden by the facet, seen from its side, are the
-/// places of weight 1 in the cone of (k, 1) and (-l, -1), k in the facet and l in the light (theory S6).
-void PlaneTraces::trace_facet_plane(const std::vector<PointId>& loop, const std::vector<PointId>& light,
-                                    const EventElement& element) {
-  const ReceiverPlane facet(scene_.points[loop[0]].input, scene_.points[loop[1]].input, scene_.points[loop[2]].input);
-  const auto line = cut_points(facet.plane(), receiver_.corners);
-  const auto source = cut_points(facet.plane(), light);
-  if (line.size() != 2 || source.empty()) return;
-  const FlatPoint p = facet.flat(line[0]), q = facet.flat(line[1]);
-  const FlatPoint way{q.x - p.x, q.y - p.y};
-  const Rational square = way.x * way.x + way.y * way.y;
-  struct Generator {
-    Rational off;
-    PlaceOnLine place;
-  };
-  std::vector<Generator> generators;
-  const auto add_generator = [&](const FlatPoint& g, int weight) {
-    const Rational x = g.x - p.x, y = g.y - p.y;
-    generators.push_back({Rational(weight * (way.x * y - way.y * x)),
-                          {Rational(weight * (way.x * x + way.y * y) / square), Rational(weight)}});
-  };
-  for (const PointId k : loop) add_generator(facet.flat(exact(scene_.points[k].input)), 1);
-  for (const ExactVector& l : source) add_generator(facet.flat(l), -1);
-  std::vector<PlaceOnLine> on_line;
-  for (const Generator& g : generators) {
-    if (g.off == 0) on_line.push_back(g.place);
-    for (const Generator& h : generators) {
-      if (!(g.off > 0 && h.off < 0)) continue;
-      const Rational s = -h.off;
-      on_line.push_back(
-          {Rational(s * g.place.place + g.off * h.place.place), Rational(s * g.place.weight + g.off * h.place.weight)});
-    }
-  }
-  std::optional<Rational> first, last;
-  const auto keep = [&](const Rational& place) {
-    if (!first || place < *first) first = place;
-    if (!last || place > *last) last = place;
-  };
-  for (const int end : {0, 1}) {
-    if (is_in_cone({Rational(end), Rational(1)}, on_line)) keep(Rational(end));
-  }
-  for (const PlaceOnLine& g : on_line) {
-    if (g.weight <= 0) continue;
-    const Rational place = g.place / g.weight;
-    if (place >= 0 && place <= 1) keep(place);
-  }
-  if (!first || *first == *last) return;
-  const ExactVector step = line[1] - line[0];
-  add(plane_.flat(line[0] + *first * step), plane_.flat(line[0] + *last * step),
-      {EventKind::coplanar_plane, element, element, 1, Extremal::none});
-}
 
 }  // namespace
 
@@ -273,7 +150,6 @@ void append_plane_traces(const EventScene& scene, std::uint32_t receiver, const 
   PlaneTraces traces(scene, receiver, plane, segments);
   traces.append_contacts();
   traces.append_light_plane();
-  traces.append_facet_planes();
 }
 
 }  // namespace gnomon::event

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Discontinuities on a receiver that no vertex and edge in line make: contacts, planes of facets, the light's plane.
+/// Discontinuities on a receiver that no vertex and edge in line make: contacts, and the light's plane.
 /// Private to this folder.
 
 #include <vector>
@@ -18,8 +18,6 @@ struct NamedSegment {
 
 /// Appends to `segments`, not yet cut by the receiver:
 /// - where blockers touch the receiver with an area, stand on it with an edge, or pass through it;
-/// - where it meets the planes of flat blockers and facets that cut the light, as far as the light, the facet and a
-///   point there are in line;
 /// - where it meets the light's plane.
 /// Exactness: exact.
 void append_plane_traces(const EventScene& scene, std::uint32_t receiver, const ReceiverPlane& plane,

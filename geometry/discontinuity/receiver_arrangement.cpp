@@ -24,6 +24,15 @@ Number cross(const Vector& a, const Vector& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
+FlatPoint exact_point(const Point& p) {
+  return {Rational(CGAL::exact(p.x())), Rational(CGAL::exact(p.y()))};
+}
+
+FlatEnclosure enclosure_of(const Point& p) {
+  const auto x = CGAL::to_interval(p.x()), y = CGAL::to_interval(p.y());
+  return {Interval(x.first, x.second), Interval(y.first, y.second)};
+}
+
 /// The nearest place where a ray meets an edge.
 class Shot {
  public:
@@ -54,6 +63,10 @@ class Shot {
 
 struct ReceiverArrangement::Points {
   std::vector<Point> list;
+};
+
+struct ReceiverArrangement::Inside {
+  Point point;
 };
 
 ReceiverArrangement::ReceiverArrangement(ReceiverArrangement&&) noexcept = default;
@@ -105,12 +118,7 @@ std::size_t ReceiverArrangement::vertex_count() const {
   return points_->list.size();
 }
 
-FlatPoint ReceiverArrangement::point(std::uint32_t vertex) const {
-  const Point& p = points_->list[vertex];
-  return {Rational(CGAL::exact(p.x())), Rational(CGAL::exact(p.y()))};
-}
-
-FlatPoint ReceiverArrangement::inner_point(std::uint32_t face) const {
+ReceiverArrangement::Inside ReceiverArrangement::inside(std::uint32_t face) const {
   const auto ends = [&](EdgeUse use) {
     const Edge& edge = edges_[use / 2];
     const Point &p = points_->list[edge.source], &q = points_->list[edge.target];
@@ -126,8 +134,23 @@ FlatPoint ReceiverArrangement::inner_point(std::uint32_t face) const {
       shot.meet(s, t);
     }
   }
-  const Point found = shot.half_way();
-  return {Rational(CGAL::exact(found.x())), Rational(CGAL::exact(found.y()))};
+  return {shot.half_way()};
+}
+
+FlatPoint ReceiverArrangement::inner_point(std::uint32_t face) const {
+  return exact_point(inside(face).point);
+}
+
+FlatEnclosure ReceiverArrangement::near_inner_point(std::uint32_t face) const {
+  return enclosure_of(inside(face).point);
+}
+
+FlatPoint ReceiverArrangement::point(std::uint32_t vertex) const {
+  return exact_point(points_->list[vertex]);
+}
+
+FlatEnclosure ReceiverArrangement::near_point(std::uint32_t vertex) const {
+  return enclosure_of(points_->list[vertex]);
 }
 
 }  // namespace gnomon::event

@@ -21,6 +21,12 @@ struct FlatPoint {
   friend bool operator==(const FlatPoint&, const FlatPoint&) = default;
 };
 
+/// The same, somewhere in a box.
+struct FlatEnclosure {
+  Interval x = 0;
+  Interval y = 0;
+};
+
 /// A segment between two different points, with a number.
 struct FlatSegment {
   FlatPoint start;
@@ -60,11 +66,17 @@ class ReceiverArrangement {
   const std::vector<Face>& faces() const { return faces_; }
 
   FlatPoint point(std::uint32_t vertex) const;
-  /// A point inside a face.
+  FlatEnclosure near_point(std::uint32_t vertex) const;
+
+  /// A point inside a face: always the same.
   FlatPoint inner_point(std::uint32_t face) const;
+  FlatEnclosure near_inner_point(std::uint32_t face) const;
 
  private:
   struct Points;
+  struct Inside;
+  Inside inside(std::uint32_t face) const;
+
   std::unique_ptr<Points> points_;
   std::vector<Edge> edges_;
   std::vector<Face> faces_;

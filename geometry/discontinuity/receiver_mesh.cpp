@@ -5,10 +5,12 @@
 #include <map>
 
 #include "geometry/discontinuity/plane_traces.h"
+#include "geometry/discontinuity/quick_sight.h"
 #include "geometry/discontinuity/receiver_mesh_data.h"
 #include "geometry/discontinuity/receiver_sight.h"
+#include "geometry/discontinuity/shaft.h"
 #include "geometry/discontinuity/wedge.h"
-#include "geometry/rounding.h"
+#include "geometry/visibility/visible_fraction.h"
 
 namespace gnomon {
 namespace {
@@ -95,29 +97,94 @@ ReceiverPlane plane_of(const EventScene& scene, std::uint32_t receiver) {
   return {scene.points[c[0]].input, scene.points[c[1]].input, scene.points[c[2]].input};
 }
 
+std::uint32_t start_of(const ReceiverMesh::Data& data, MeshEdgeUse use) {
+  return use % 2 == 0 ? data.edges[use / 2].source : data.edges[use / 2].target;
+}
+
 std::vector<ExactVector> vertices_of(const ReceiverMesh::Data& data, const MeshFace& face) {
   std::vector<ExactVector> vertices;
   for (const MeshEdgeUse use : face.cycles[0]) {
-    const MeshEdge& edge = data.edges[use / 2];
-    vertices.push_back(data.plane.spatial(data.point(use % 2 == 0 ? edge.source : edge.target)));
+    vertices.push_back(data.plane.spatial(data.point(start_of(data, use))));
   }
   return vertices;
 }
 
-void label_faces(ReceiverMesh::Data& data, event::ReceiverSight& sight) {
-  for (std::uint32_t f = 0; f < data.faces.size(); ++f) {
-    const ExactVector inside = data.plane.spatial(data.arrangement.inner_point(f));
-    const event::FaceRegion found = sight.region_of_face(inside, vertices_of(data, data.faces[f]));
-    data.faces[f].region =
-        found.is_certain ? static_cast<ReceiverRegion>(found.region) : ReceiverRegion::unresolved_eee;
+/// Finds the regions of faces, by intervals where these tell.
+class FaceLabels {
+ public:
+  FaceLabels(const EventScene& scene, const event::VertexShadows& shadows, std::uint32_t receiver,
+             ReceiverMesh::Data& data, event::ReceiverSight& sight)
+      : scene_(scene), shadows_(shadows), quick_(scene, shadows, receiver), data_(data), sight_(sight) {}
+
+  void label_all() {
+    for (std::uint32_t f = 0; f < data_.faces.size(); ++f) data_.faces[f].region = region(f);
   }
-}
+
+ private:
+  ReceiverRegion region(std::uint32_t f) {
+    if (const auto quick = quick_region(f)) return *quick;
+    const ExactVector inside = data_.plane.spatial(data_.arrangement.inner_point(f));
+    const event::FaceRegion found = sight_.region_of_face(inside, vertices_of(data_, data_.faces[f]));
+    return found.is_certain ? static_cast<ReceiverRegion>(found.region) : ReceiverRegion::unresolved_eee;
+  }
+
+  /// A narrow box around the point by which a face is judged.
+  event::FlatEnclosure inner_point(std::uint32_t f) const {
+    const event::FlatEnclosure near = data_.arrangement.near_inner_point(f);
+    const auto is_narrow = [](const Interval& c) {
+      return c.sup() - c.inf() <= 0x1p-46 * std::max(std::fabs(c.inf()), std::fabs(c.sup()));
+    };
+    if (is_narrow(near.x) && is_narrow(near.y)) return near;
+    const FlatPoint point = data_.arrangement.inner_point(f);
+    const auto x = CGAL::to_interval(point.x), y = CGAL::to_interval(point.y);
+    return {Interval(x.first, x.second), Interval(y.first, y.second)};
+  }
+
+  std::optional<ReceiverRegion> quick_region(std::uint32_t f) {
+    const event::FlatEnclosure flat = inner_point(f);
+    const CGAL::Protect_FPU_rounding<true> upward;
+    const event::PointEnclosure p = data_.plane.spatial(flat);
+    Point3 middle{p[0].inf() / 2 + p[0].sup() / 2, p[1].inf() / 2 + p[1].sup() / 2, p[2].inf() / 2 + p[2].sup() / 2};
+    const double size = std::max({std::fabs(middle.x), std::fabs(middle.y), std::fabs(middle.z)});
+    for (const Interval& c : p) {
+      if (!(c.sup() - c.inf() <= 0x1p-44 * size)) return std::nullopt;
+    }
+    scene_.shape_boxes.search(event::shaft(scene_, {&middle, 1}), near_);
+    const auto answer = quick_.region(p, near_);
+    if (!answer || !(answer->is_certain_of_face || is_covered(f, *answer))) return std::nullopt;
+    return static_cast<ReceiverRegion>(answer->region);
+  }
+
+  /// One blocker hides all of the light from every vertex of the face, so from all of its hull.
+  bool is_covered(std::uint32_t f, const event::QuickAnswer& answer) const {
+    if (!answer.cover) return false;
+    for (const MeshEdgeUse use : data_.faces[f].cycles[0]) {
+      const std::uint32_t v = start_of(data_, use);
+      const event::PointEnclosure near = data_.plane.spatial(data_.arrangement.near_point(v));
+      for (std::uint32_t l = 0; l < scene_.light_vertices.size(); ++l) {
+        if (!shadows_.holds(l, *answer.cover, near, [&] { return data_.plane.spatial(data_.point(v)); })) return false;
+      }
+    }
+    return true;
+  }
+
+  const EventScene& scene_;
+  const event::VertexShadows& shadows_;
+  event::QuickSight quick_;
+  ReceiverMesh::Data& data_;
+  event::ReceiverSight& sight_;
+  std::vector<std::uint32_t> near_;
+};
 
 std::shared_ptr<ReceiverMesh::Data> subdivision(const EventScene& scene, std::uint32_t receiver,
                                                 const AllTraces& traces) {
   NameTable names;
+  std::vector<FlatSegment> segments;
   const ReceiverPlane plane = plane_of(scene, receiver);
-  const auto segments = dividing_segments(scene, receiver, plane, traces, names);
+  {
+    const CGAL::Protect_FPU_rounding<true> upward;
+    segments = dividing_segments(scene, receiver, plane, traces, names);
+  }
   auto data = std::make_shared<ReceiverMesh::Data>(
       ReceiverMesh::Data{plane, ReceiverArrangement(segments), {}, {}, names.take()});
   for (const ReceiverArrangement::Edge& e : data->arrangement.edges()) {
@@ -148,19 +215,68 @@ Rational doubled_flat_area(const ReceiverMesh::Data& data, std::span<const std::
   return area;
 }
 
+struct ReceiverDivision::Data {
+  Light light;
+  std::vector<ConvexBlocker> blockers;
+  std::shared_ptr<const EventScene> scene;
+  AllTraces traces;
+  event::VertexShadows shadows;
+};
+
+namespace {
+
+event::VertexShadows vertex_shadows(const EventScene& scene) {
+  const CGAL::Protect_FPU_rounding<true> upward;
+  return event::VertexShadows(scene);
+}
+
+/// Intervals are true only while results are rounded upwards.
+EventScene prepared(const Light& light, std::span<const ConvexBlocker> blockers,
+                    std::span<const ConvexPolygon> receivers) {
+  const CGAL::Protect_FPU_rounding<true> upward;
+  return {light, blockers, receivers};
+}
+
+AllTraces traced(const EventScene& scene) {
+  const CGAL::Protect_FPU_rounding<true> upward;
+  return all_traces(scene);
+}
+
+}  // namespace
+
+ReceiverDivision::ReceiverDivision(const Light& light, std::span<const ConvexBlocker> blockers,
+                                   std::span<const ConvexPolygon> receivers) {
+  const auto scene = std::make_shared<const EventScene>(prepared(light, blockers, receivers));
+  data_ = std::make_shared<const Data>(
+      Data{light, {blockers.begin(), blockers.end()}, scene, traced(*scene), vertex_shadows(*scene)});
+}
+
+std::size_t ReceiverDivision::size() const {
+  return data_->scene->receivers.size();
+}
+
+ReceiverMesh ReceiverDivision::mesh(std::uint32_t receiver) const {
+  const auto made = subdivision(*data_->scene, receiver, data_->traces);
+  event::ReceiverSight sight(*data_->scene, data_->light, data_->blockers, receiver, made->plane);
+  FaceLabels(*data_->scene, data_->shadows, receiver, *made, sight).label_all();
+  return ReceiverMesh(made);
+}
+
+std::vector<double> ReceiverDivision::visible_fractions(std::uint32_t receiver, const ReceiverMesh& mesh) const {
+  const ReceiverPlane& plane = mesh.data().plane;
+  event::ReceiverSight sight(*data_->scene, data_->light, data_->blockers, receiver, plane);
+  std::vector<double> fractions;
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    fractions.push_back(visible_fraction(sight.visible_from(plane.spatial(mesh.data().point(v)))).nearest);
+  }
+  return fractions;
+}
+
 std::vector<ReceiverMesh> receiver_meshes(const Light& light, std::span<const ConvexBlocker> blockers,
                                           std::span<const ConvexPolygon> receivers) {
-  const CGAL::Protect_FPU_rounding<true> upward;
-  const EventScene scene(light, blockers, receivers);
-  const AllTraces traces = all_traces(scene);
+  const ReceiverDivision division(light, blockers, receivers);
   std::vector<ReceiverMesh> meshes;
-  for (std::uint32_t r = 0; r < receivers.size(); ++r) {
-    const CGAL::Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
-    const auto data = subdivision(scene, r, traces);
-    event::ReceiverSight sight(scene, light, blockers, r, data->plane);
-    label_faces(*data, sight);
-    meshes.emplace_back(data);
-  }
+  for (std::uint32_t r = 0; r < receivers.size(); ++r) meshes.push_back(division.mesh(r));
   return meshes;
 }
 

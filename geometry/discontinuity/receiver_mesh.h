@@ -54,6 +54,12 @@ struct MeshFace {
   std::vector<std::vector<MeshEdgeUse>> cycles;  ///< the face on the left; the outer cycle first, then holes
 };
 
+/// A part of a face.
+struct ReceiverTriangle {
+  std::array<std::uint32_t, 3> vertices{};
+  std::uint32_t face = 0;
+};
+
 /// Connected faces of one region.
 struct RegionPolygon {
   ReceiverRegion region = ReceiverRegion::lit;
@@ -82,6 +88,9 @@ class ReceiverMesh {
   const std::vector<MeshFace>& faces() const;
   const std::vector<EventName>& names() const;
 
+  /// The faces in triangles between their own vertices, which run counterclockwise seen from the front.
+  std::vector<ReceiverTriangle> triangles() const;
+
   /// Connected components of equal region.
   std::vector<RegionPolygon> regions() const;
 
@@ -100,12 +109,33 @@ class ReceiverMesh {
   std::shared_ptr<const Data> data_;
 };
 
-/// Divides each receiver by what it receives of the light behind all blockers.
+/// Receivers, ready to be divided by what they receive of one light behind all blockers.
 ///
-/// Requires: flat receivers; a flat area light.
-/// Returns:  one mesh for each receiver.
-/// Throws:   PreconditionError.
-/// Cost:     events are found by searching hierarchies, and traced where they reach a receiver.
+/// Events are found and traced for all receivers together; any number of threads may ask for meshes then.
+class ReceiverDivision {
+ public:
+  /// Requires: flat receivers; a flat area light.
+  /// Throws:   PreconditionError.
+  /// Cost:     events are found by searching hierarchies, and traced where they reach a receiver.
+  ReceiverDivision(const Light& light, std::span<const ConvexBlocker> blockers,
+                   std::span<const ConvexPolygon> receivers);
+
+  std::size_t size() const;
+
+  /// The receiver of that index, divided.
+  ReceiverMesh mesh(std::uint32_t receiver) const;
+
+  /// The visible fraction at each vertex of its mesh, as visible_fraction(VisiblePart) rounds it.
+  /// Definition: of a vertex on a discontinuity of order 0 one of the limits is meant.
+  std::vector<double> visible_fractions(std::uint32_t receiver, const ReceiverMesh& mesh) const;
+
+  struct Data;
+
+ private:
+  std::shared_ptr<const Data> data_;
+};
+
+/// The meshes of all receivers.
 std::vector<ReceiverMesh> receiver_meshes(const Light& light, std::span<const ConvexBlocker> blockers,
                                           std::span<const ConvexPolygon> receivers);
 

@@ -28,6 +28,18 @@ ReceiverPlane::ReceiverPlane(const Point3& p, const Point3& q, const Point3& r)
   u_ = (dropped_ + 1) % 3;
   v_ = (dropped_ + 2) % 3;
   if (coordinate(plane_.normal, dropped_) < 0) std::swap(u_, v_);
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto [low, high] = CGAL::to_interval(k < 3 ? coordinate(plane_.normal, k) : plane_.offset);
+    near_[k] = Interval(low, high);
+  }
+}
+
+PointEnclosure ReceiverPlane::spatial(const FlatEnclosure& point) const {
+  PointEnclosure result{Interval(0), Interval(0), Interval(0)};
+  result[u_] = point.x;
+  result[v_] = point.y;
+  result[dropped_] = -(near_[u_] * point.x + near_[v_] * point.y + near_[3]) / near_[dropped_];
+  return result;
 }
 
 FlatPoint ReceiverPlane::flat(const ExactVector& point) const {

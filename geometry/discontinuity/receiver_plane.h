@@ -10,6 +10,9 @@
 
 namespace gnomon::event {
 
+/// A point of space, somewhere in a box.
+using PointEnclosure = std::array<Interval, 3>;
+
 /// The plane of a flat polygon.
 ///
 /// Orientation: the normal points to the front; what runs counterclockwise in flat coordinates does so seen from the
@@ -25,6 +28,9 @@ class ReceiverPlane {
   /// The point of the plane with these flat coordinates.
   ExactVector spatial(const FlatPoint& point) const;
 
+  /// The same of a point in a box. Requires: the rounding mode is protected.
+  PointEnclosure spatial(const FlatEnclosure& point) const;
+
   /// The square of a polygon's area divided by that of its flat image.
   Rational squared_stretch() const;
 
@@ -33,6 +39,7 @@ class ReceiverPlane {
   std::size_t u_ = 0;
   std::size_t v_ = 1;
   std::size_t dropped_ = 2;
+  std::array<Interval, 4> near_{Interval(0), Interval(0), Interval(0), Interval(0)};  ///< normal and offset
 };
 
 /// Coordinates by number.

@@ -6,6 +6,7 @@
 
 #include "geometry/discontinuity/shaft.h"
 #include "geometry/discontinuity/triple_edges.h"
+#include "geometry/rounding.h"
 
 namespace gnomon::event {
 namespace {
@@ -32,7 +33,9 @@ void ReceiverSight::collect_near(const ExactVector& p) {
 }
 
 void ReceiverSight::collect_in_shaft(std::span<const ExactVector> face) {
-  scene_.shape_boxes.search(shaft(scene_, face), near_);
+  std::vector<Point3> points;
+  for (const ExactVector& p : face) points.push_back({nearest_double(p.x), nearest_double(p.y), nearest_double(p.z)});
+  scene_.shape_boxes.search(shaft(scene_, points), near_);
   std::sort(near_.begin(), near_.end());
 }
 

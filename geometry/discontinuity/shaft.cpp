@@ -3,34 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/rounding.h"
-
 namespace gnomon::event {
 namespace {
-
-using Vector = std::array<double, 3>;
-
-Vector difference(const Point3& a, const Point3& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-double dot(const Vector& a, const Vector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-double sum_norm(const Vector& a) {
-  return std::fabs(a[0]) + std::fabs(a[1]) + std::fabs(a[2]);
-}
 
 /// Points of the shaft at finite places, and a direction towards the light if that is infinitely far away.
 class ShaftBuilder {
  public:
-  ShaftBuilder(const EventScene& scene, std::span<const ExactVector> points) {
-    for (const ExactVector& p : points) add({nearest_double(p.x), nearest_double(p.y), nearest_double(p.z)});
+  ShaftBuilder(const EventScene& scene, std::span<const Point3> points) {
+    for (const Point3& p : points) add(p);
     face_ = points_.size();
     for (const LightVertex& v : scene.light_vertices) {
       const EventPoint& p = scene.points[v.point];
@@ -40,9 +20,9 @@ class ShaftBuilder {
 
   std::vector<RoughHalfSpace> half_spaces() {
     // Planes along the coordinate axes and along the middle way to the light.
-    const Vector middle = way_to_light();
-    const Vector axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    for (const Vector& axis : axes) {
+    const RoughVector middle = way_to_light();
+    const RoughVector axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    for (const RoughVector& axis : axes) {
       try_normal(axis);
       try_normal(cross(axis, middle));
     }
@@ -62,18 +42,18 @@ class ShaftBuilder {
     size_ = std::max({size_, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
   }
 
-  Vector way_to_light() const {
+  RoughVector way_to_light() const {
     if (!ways_.empty()) return ways_.front();
     return difference(points_.back(), points_.front());
   }
 
   /// Both half-spaces of planes with this normal that hold everything.
-  void try_normal(const Vector& normal) {
+  void try_normal(const RoughVector& normal) {
     for (const double sign : {1.0, -1.0}) {
-      const Vector n{sign * normal[0], sign * normal[1], sign * normal[2]};
+      const RoughVector n{sign * normal[0], sign * normal[1], sign * normal[2]};
       const double rounding = 0x1p-44 * sum_norm(n);
       if (std::any_of(ways_.begin(), ways_.end(),
-                      [&](const Vector& w) { return dot(n, w) < -rounding * sum_norm(w); })) {
+                      [&](const RoughVector& w) { return dot(n, w) < -rounding * sum_norm(w); })) {
         continue;
       }
       const auto lowest = std::min_element(points_.begin(), points_.end(), [&](const Point3& p, const Point3& q) {
@@ -84,7 +64,7 @@ class ShaftBuilder {
   }
 
   std::vector<Point3> points_;
-  std::vector<Vector> ways_;
+  std::vector<RoughVector> ways_;
   std::size_t face_ = 0;
   double size_ = 0;
   std::vector<RoughHalfSpace> found_;
@@ -92,7 +72,7 @@ class ShaftBuilder {
 
 }  // namespace
 
-std::vector<RoughHalfSpace> shaft(const EventScene& scene, std::span<const ExactVector> points) {
+std::vector<RoughHalfSpace> shaft(const EventScene& scene, std::span<const Point3> points) {
   return ShaftBuilder(scene, points).half_spaces();
 }
 

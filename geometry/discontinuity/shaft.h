@@ -6,12 +6,11 @@
 #include <vector>
 
 #include "geometry/discontinuity/event_scene.h"
-#include "geometry/visibility/exact_vector.h"
 
 namespace gnomon::event {
 
-/// Half-spaces that hold every segment from one of the points to the light.
-/// Exactness: conservative.
-std::vector<RoughHalfSpace> shaft(const EventScene& scene, std::span<const ExactVector> points);
+/// Half-spaces that hold every segment from one of the points to the light. The points may be off by 2^-48 of the
+/// largest coordinate. Exactness: conservative.
+std::vector<RoughHalfSpace> shaft(const EventScene& scene, std::span<const Point3> points);
 
 }  // namespace gnomon::event

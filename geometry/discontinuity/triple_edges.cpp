@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "geometry/discontinuity/receiver_plane.h"
+
 namespace gnomon::event {
 namespace {
 
@@ -60,6 +62,10 @@ class CrossingTest {
   std::span<const ExactVector> face_;
 };
 
+ExactVector place(const EventPoint& p) {
+  return p.exact ? affine(*p.exact) : exact(p.input);
+}
+
 std::vector<Line> light_lines(const EventScene& scene) {
   std::vector<Line> lines;
   for (const LightEdge& e : scene.light_edges) {
@@ -84,8 +90,11 @@ bool is_beside_light(const CrossingTest& test, const std::vector<Line>& light, c
 bool may_have_triple_edges(const EventScene& scene, std::span<const ShapeId> shapes,
                            std::span<const ExactVector> face) {
   const CrossingTest test(face);
-  std::vector<Line> lines = light_lines(scene);
-  const std::vector<Line> light = lines;
+  const std::vector<Line> light = light_lines(scene);
+  std::vector<Line> lines = light;
+  for (const LightEdge& e : scene.cut_edges) {
+    lines.push_back({place(scene.points[e.a]), place(scene.points[e.b]), {}});
+  }
   std::vector<EdgeId> ids;
   for (const ShapeId s : shapes) {
     for (const ShapeEdge& e : scene.shapes[s].edges) {

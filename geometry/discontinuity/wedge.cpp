@@ -5,10 +5,6 @@
 namespace gnomon::event {
 namespace {
 
-std::array<double, 3> difference(const Point3& a, const Point3& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
 /// Finds the edges that may be in line with a vertex and the light.
 class EdgeSearch {
  public:
@@ -81,8 +77,12 @@ void wedges_from_light_vertices(const EventScene& scene, const std::function<voi
     const BlockerEdge& edge = scene.edges[e];
     if (!edge.may_be_seen) continue;
     if (!is_served(scene, scene.light_side(edge.a)) && !is_served(scene, scene.light_side(edge.b))) continue;
-    for (std::uint32_t l = 0; l < scene.light_vertices.size(); ++l) {
-      take({WedgeKind::from_light_vertex, scene.light_vertices[l].point, edge.a, edge.b, l, e});
+    const auto n = static_cast<std::uint32_t>(scene.light_vertices.size());
+    for (std::uint32_t l = 0; l < n; ++l) {
+      take({WedgeKind::from_light_vertex, scene.light_vertices[l].point, edge.a, edge.b, l, e, {}});
+    }
+    for (std::uint32_t l = 0; l < scene.cut_vertices.size(); ++l) {
+      take({WedgeKind::from_light_vertex, scene.cut_vertices[l].point, edge.a, edge.b, n + l, e, {}});
     }
   }
 }
@@ -92,15 +92,37 @@ void wedges_at_vertex(const EventScene& scene, std::uint32_t v, EdgeSearch& sear
   const BlockerVertex& vertex = scene.vertices[v];
   const int side = scene.light_side(vertex.point);
   if (!vertex.may_be_seen || !is_served(scene, side)) return;
-  for (std::uint32_t e = 0; e < scene.light_edges.size(); ++e) {
+  const auto n = static_cast<std::uint32_t>(scene.light_edges.size());
+  for (std::uint32_t e = 0; e < n; ++e) {
     const LightEdge& edge = scene.light_edges[e];
-    take({WedgeKind::from_light_edge, vertex.point, edge.a, edge.b, v, e});
+    take({WedgeKind::from_light_edge, vertex.point, edge.a, edge.b, v, e, {}});
+  }
+  for (std::uint32_t e = 0; e < scene.cut_edges.size(); ++e) {
+    const LightEdge& edge = scene.cut_edges[e];
+    take({WedgeKind::from_light_edge, vertex.point, edge.a, edge.b, v, n + e, {}});
   }
   if (scene.kind != LightKind::area) return;
   for (const WedgeKind kind : {WedgeKind::edge_first, WedgeKind::apex_first}) {
     for (const EdgeId e : search.edges(vertex, side, kind)) {
       const BlockerEdge& edge = scene.edges[e];
-      take({kind, vertex.point, edge.a, edge.b, v, e});
+      take({kind, vertex.point, edge.a, edge.b, v, e, {}});
+    }
+  }
+}
+
+/// In the plane of a facet that cuts the light a point sees part of the facet in front of part of the light exactly
+/// where it sees an end of one in line with the other.
+void wedges_in_facet_planes(const EventScene& scene, const std::function<void(const Wedge&)>& take) {
+  for (std::uint32_t f = 0; f < scene.cutting_facets.size(); ++f) {
+    const CuttingFacet& facet = scene.cutting_facets[f];
+    const auto [p, q] = facet.light_ends;
+    for (const EdgeId e : facet.edges) {
+      const BlockerEdge& edge = scene.edges[e];
+      take({WedgeKind::from_light_vertex, p, edge.a, edge.b, 0, e, f});
+      if (p != q) take({WedgeKind::from_light_vertex, q, edge.a, edge.b, 0, e, f});
+    }
+    for (const PointId v : facet.loop) {
+      if (p != q && is_served(scene, scene.light_side(v))) take({WedgeKind::from_light_edge, v, p, q, 0, 0, f});
     }
   }
 }
@@ -117,14 +139,16 @@ struct Sides {
   bool cut() const { return above && below; }
 };
 
+/// Side of the wedge's plane.
+int side_of(const EventScene& scene, const Wedge& wedge, PointId p) {
+  if (p == wedge.apex || p == wedge.a || p == wedge.b) return 0;
+  return orientation(scene.points[wedge.apex], scene.points[wedge.a], scene.points[wedge.b], scene.points[p]);
+}
+
 Extremal extremal(const EventScene& scene, const Wedge& wedge, const Shape& shape) {
-  const auto side = [&](PointId p) {
-    if (p == wedge.apex || p == wedge.a || p == wedge.b) return 0;
-    return orientation(scene.points[wedge.apex], scene.points[wedge.a], scene.points[wedge.b], scene.points[p]);
-  };
   Sides light, blocker;
-  for (const LightVertex& v : scene.light_vertices) light.add(side(v.point));
-  for (const PointId p : shape.corners) blocker.add(side(p));
+  for (const LightVertex& v : scene.light_vertices) light.add(side_of(scene, wedge, v.point));
+  for (const PointId p : shape.corners) blocker.add(side_of(scene, wedge, p));
   if (light.cut() || blocker.cut()) return Extremal::none;
   const bool same = (light.above && blocker.above) || (light.below && blocker.below);
   if (!same) return Extremal::occlusion;
@@ -132,8 +156,7 @@ Extremal extremal(const EventScene& scene, const Wedge& wedge, const Shape& shap
 }
 
 bool is_on_plane(const EventScene& scene, const Wedge& wedge, PointId p) {
-  if (p == wedge.apex || p == wedge.a || p == wedge.b) return true;
-  return orientation(scene.points[wedge.apex], scene.points[wedge.a], scene.points[wedge.b], scene.points[p]) == 0;
+  return side_of(scene, wedge, p) == 0;
 }
 
 /// True if an edge at the vertex lies in the plane of vertex and edge, or the edge's face does where the plane cuts the
@@ -145,12 +168,7 @@ bool is_coplanar(const EventScene& scene, const Wedge& wedge) {
       if (is_on_plane(scene, wedge, e.a == wedge.apex ? e.b : e.a)) return true;
     }
     Sides light;
-    for (const LightVertex& v : scene.light_vertices) {
-      if (!is_on_plane(scene, wedge, v.point)) {
-        light.add(
-            orientation(scene.points[wedge.apex], scene.points[wedge.a], scene.points[wedge.b], scene.points[v.point]));
-      }
-    }
+    for (const LightVertex& v : scene.light_vertices) light.add(side_of(scene, wedge, v.point));
     const auto& faces = scene.edges[wedge.edge].faces;
     return light.cut() && std::any_of(faces.begin(), faces.end(),
                                       [&](const FaceAtEdge& f) { return is_on_plane(scene, wedge, f.third); });
@@ -158,9 +176,19 @@ bool is_coplanar(const EventScene& scene, const Wedge& wedge) {
   for (const EdgeId e : scene.vertices[wedge.vertex].edges) {
     const BlockerEdge& edge = scene.edges[e];
     const PointId other = edge.a == wedge.apex ? edge.b : edge.a;
-    if (is_on_plane(scene, wedge, other)) return true;
+    if (!is_on_plane(scene, wedge, other)) continue;
+    // Between two faces on either side the edge is no part of an outline.
+    Sides faces;
+    for (const FaceAtEdge& face : edge.faces) faces.add(side_of(scene, wedge, face.third));
+    if (!faces.cut()) return true;
   }
   return false;
+}
+
+/// The element of that number, own ones first.
+template <class Element>
+const Element& element(const std::vector<Element>& own, const std::vector<Element>& cuts, std::uint32_t i) {
+  return i < own.size() ? own[i] : cuts[i - own.size()];
 }
 
 }  // namespace
@@ -168,16 +196,22 @@ bool is_coplanar(const EventScene& scene, const Wedge& wedge) {
 void for_each_wedge(const EventScene& scene, const std::function<void(const Wedge&)>& take) {
   wedges_from_light_vertices(scene, take);
   if (scene.kind == LightKind::point || scene.kind == LightKind::direction) return;
+  wedges_in_facet_planes(scene, take);
   EdgeSearch search(scene);
   for (std::uint32_t v = 0; v < scene.vertices.size(); ++v) wedges_at_vertex(scene, v, search, take);
 }
 
 EventName event_name(const EventScene& scene, const Wedge& wedge) {
+  if (wedge.facet) {
+    const EventElement& facet = scene.cutting_facets[*wedge.facet].name;
+    return {EventKind::coplanar_plane, facet, facet, 1, Extremal::none};
+  }
   EventName name;
   const bool from_vertex = wedge.kind == WedgeKind::from_light_vertex;
   const bool from_edge = wedge.kind == WedgeKind::from_light_edge;
-  name.vertex = from_vertex ? scene.light_vertices[wedge.vertex].name : scene.vertices[wedge.vertex].name;
-  name.edge = from_edge ? scene.light_edges[wedge.edge].name : scene.edges[wedge.edge].name;
+  name.vertex = from_vertex ? element(scene.light_vertices, scene.cut_vertices, wedge.vertex).name
+                            : scene.vertices[wedge.vertex].name;
+  name.edge = from_edge ? element(scene.light_edges, scene.cut_edges, wedge.edge).name : scene.edges[wedge.edge].name;
   const int generic = scene.kind == LightKind::area ? 2 : scene.kind == LightKind::linear ? 1 : 0;
   name.order = static_cast<std::uint8_t>(generic > 0 && is_coplanar(scene, wedge) ? generic - 1 : generic);
   // Of several blockers that share the element, one is enough.

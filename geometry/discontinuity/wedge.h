@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -26,8 +27,9 @@ struct Wedge {
   PointId apex = 0;
   PointId a = 0;
   PointId b = 0;
-  std::uint32_t vertex = 0;  ///< index among the light's or the blockers' vertices
-  std::uint32_t edge = 0;    ///< index among the light's or the blockers' edges
+  std::uint32_t vertex = 0;              ///< index among the light's or the blockers' vertices
+  std::uint32_t edge = 0;                ///< index among the light's or the blockers' edges
+  std::optional<std::uint32_t> facet{};  ///< of a facet whose plane cuts the light: then the wedge lies in that plane
 };
 
 /// Calls `take` with every wedge that may reach the light and something beyond, and with some others.
@@ -58,14 +60,23 @@ class WedgeTracer {
   /// Appends the traces of positive length, with `name` 0.
   void append_traces(const Wedge& wedge, std::vector<Trace>& traces);
 
- private:
+  /// A shape's section with the half of the lines on which receivers are.
   struct Obstacle {
     ShapeId shape = 0;
     std::vector<NodeId> polygon;
     RayRange range;
   };
+
+  /// Finds what look_along is about: the lines that come from the light, what blockers and receivers they meet, and on
+  /// which half. Returns: false if no line comes through.
+  bool look_along(Pencil& pencil, const Wedge& wedge);
+  const std::vector<RayRange>& allowed() const { return allowed_; }
+  const std::vector<Obstacle>& obstacles() const { return obstacles_; }
+
+ private:
   using Nodes = std::vector<NodeId>;
 
+  bool begin(Pencil& pencil, const Wedge& wedge);
   bool is_between_faces(const Pencil& pencil, const Wedge& wedge) const;
   void set_half_spaces(const Wedge& wedge);
   bool section(Pencil& pencil, const Shape& shape, Nodes& nodes) const;
@@ -91,5 +102,10 @@ class WedgeTracer {
       half_spaces_;  ///< both sides of the plane, both of the cone, the edge's side of the apex
   std::optional<FunctionId> light_function_;
 };
+
+/// The half of a wedge's lines beyond the farther element, where receivers are.
+constexpr Cone receivers_cone(WedgeKind kind) {
+  return kind == WedgeKind::from_light_vertex || kind == WedgeKind::apex_first ? Cone::towards : Cone::away;
+}
 
 }  // namespace gnomon::event

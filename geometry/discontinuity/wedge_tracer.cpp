@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/discontinuity/ray_ranges.h"
 #include "geometry/discontinuity/wedge.h"
@@ -6,7 +7,7 @@
 namespace gnomon::event {
 namespace {
 
-std::array<double, 3> direction(const EventPoint& from, const Point3& to) {
+RoughVector direction(const EventPoint& from, const Point3& to) {
   if (from.kind == EventPoint::Kind::direction) return {from.input.x, from.input.y, from.input.z};
   return {to.x - from.input.x, to.y - from.input.y, to.z - from.input.z};
 }
@@ -15,25 +16,31 @@ Cone opposite(Cone cone) {
   return cone == Cone::towards ? Cone::away : Cone::towards;
 }
 
-/// The half of the lines beyond the farther element, where receivers are.
-Cone receivers_cone(WedgeKind kind) {
-  return kind == WedgeKind::from_light_vertex || kind == WedgeKind::apex_first ? Cone::towards : Cone::away;
-}
-
 }  // namespace
 
 void WedgeTracer::set_half_spaces(const Wedge& wedge) {
   const EventPoint& v = scene_.points[wedge.apex];
   const Point3 &a = scene_.points[wedge.a].input, &b = scene_.points[wedge.b].input;
   const auto to_a = direction(v, a), to_b = direction(v, b);
-  const std::array<double, 3> along{b.x - a.x, b.y - a.y, b.z - a.z};
+  const RoughVector along{b.x - a.x, b.y - a.y, b.z - a.z};
   half_spaces_[0] = rough_half_space(a, to_a, along);
   half_spaces_[1] = reversed(half_spaces_[0]);
   half_spaces_[2] = rough_side(half_spaces_[0], to_a, a, b);
   half_spaces_[3] = rough_side(half_spaces_[0], to_b, b, a);
-  const bool finite = v.kind == EventPoint::Kind::input;
+  const bool finite = v.kind != EventPoint::Kind::direction;
   const Point3 side{a.x + to_a[0], a.y + to_a[1], a.z + to_a[2]};
   half_spaces_[4] = rough_side(half_spaces_[0], along, a, finite ? v.input : side);
+  using enum EventPoint::Kind;
+  if (v.kind != constructed && scene_.points[wedge.a].kind != constructed) return;
+  // Constructed points are rounded here, by less than this.
+  const auto size_of = [](const Point3& p) { return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}); };
+  const double shift = 0x1p-50 * std::max({finite ? size_of(v.input) : 0, size_of(a), size_of(b)});
+  const double reach = sum_norm(to_a) + sum_norm(to_b) + sum_norm(along);
+  for (std::size_t k = 0; k < half_spaces_.size(); ++k) {
+    RoughHalfSpace& h = half_spaces_[k];
+    h.error += 4 * shift * (k < 2 ? reach : reach * reach);
+    h.offset += 4 * shift * sum_norm(h.normal);
+  }
 }
 
 /// An edge between two faces, one on either side, is no part of an outline.
@@ -306,12 +313,11 @@ void WedgeTracer::trace_on(Pencil& pencil, const Wedge& wedge, Cone cone, std::u
   }
 }
 
-void WedgeTracer::append_traces(const Wedge& wedge, std::vector<Trace>& traces) {
-  Pencil pencil(scene_.points, wedge.apex, wedge.a, wedge.b);
-  if (!pencil.is_plane() || is_between_faces(pencil, wedge)) return;
+bool WedgeTracer::begin(Pencil& pencil, const Wedge& wedge) {
+  if (!pencil.is_plane() || is_between_faces(pencil, wedge)) return false;
   light_function_.reset();
   set_half_spaces(wedge);
-  if (!find_allowed(pencil, wedge)) return;
+  if (!find_allowed(pencil, wedge)) return false;
   const Cone cone = receivers_cone(wedge.kind);
   std::array<RoughHalfSpace, 5> region = half_spaces_;
   region[4] = reversed(region[4]);
@@ -320,8 +326,27 @@ void WedgeTracer::append_traces(const Wedge& wedge, std::vector<Trace>& traces) 
     region[3] = reversed(region[3]);
   }
   scene_.receiver_boxes.search(std::span(region).first(cone == Cone::towards ? 5 : 4), found_receivers_);
-  if (found_receivers_.empty() || !collect_obstacles(pencil, wedge, cone)) return;
+  return true;
+}
+
+void WedgeTracer::append_traces(const Wedge& wedge, std::vector<Trace>& traces) {
+  Pencil pencil(scene_.points, wedge.apex, wedge.a, wedge.b);
+  if (!begin(pencil, wedge) || found_receivers_.empty()) return;
+  const Cone cone = receivers_cone(wedge.kind);
+  if (!collect_obstacles(pencil, wedge, cone)) return;
   for (const std::uint32_t r : found_receivers_) trace_on(pencil, wedge, cone, r, traces);
+}
+
+bool WedgeTracer::look_along(Pencil& pencil, const Wedge& wedge) {
+  const Cone cone = receivers_cone(wedge.kind);
+  if (!begin(pencil, wedge) || !collect_obstacles(pencil, wedge, cone)) return false;
+  Nodes nodes;
+  for (const std::uint32_t r : found_receivers_) {
+    if (!section(pencil, scene_.receivers[r], nodes) || !pencil.clip_to(nodes, cone)) continue;
+    if (cone == Cone::towards && !pencil.clip(nodes, Pencil::x, -1)) continue;
+    if (const auto range = pencil.range(nodes, cone)) obstacles_.push_back({0, nodes, *range});
+  }
+  return true;
 }
 
 }  // namespace gnomon::event

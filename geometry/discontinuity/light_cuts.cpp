@@ -1,0 +1,133 @@
+#include "geometry/discontinuity/light_cuts.h"
+
+#include <CGAL/Gmpz.h>
+
+#include <algorithm>
+
+#include "geometry/discontinuity/receiver_plane.h"
+#include "geometry/rounding.h"
+
+namespace gnomon::event {
+namespace {
+
+using Integer = boost::multiprecision::mpz_int;
+
+/// CGAL 5.5 loses the sign of a negative integer on the way, and does not know zero.
+ExactReal exact_real(const Integer& integer) {
+  if (integer == 0) return ExactReal(0);
+  const Integer size = abs(integer);
+  const ExactReal result(CGAL::Gmpz(size.backend().data()));
+  return integer.sign() < 0 ? -result : result;
+}
+
+/// A constructed point with whole numbers for coordinates.
+EventPoint event_point(const ExactVector& p) {
+  const Integer w = lcm(lcm(denominator(p.x), denominator(p.y)), denominator(p.z));
+  const auto scaled = [&](const Rational& x) -> Integer { return numerator(x) * (w / denominator(x)); };
+  EventPoint point;
+  point.kind = EventPoint::Kind::constructed;
+  point.input = {nearest_double(p.x), nearest_double(p.y), nearest_double(p.z)};
+  point.exact = {exact_real(scaled(p.x)), exact_real(scaled(p.y)), exact_real(scaled(p.z)), exact_real(w)};
+  return point;
+}
+
+class LightCuts {
+ public:
+  explicit LightCuts(const EventScene& scene) : scene_(scene) {}
+
+  std::vector<LightCut> of_area_light() {
+    const auto& l = scene_.light_plane;
+    const ReceiverPlane plane(scene_.points[l[0]].input, scene_.points[l[1]].input, scene_.points[l[2]].input);
+    std::vector<FlatPoint> outline;
+    for (const LightVertex& v : scene_.light_vertices) outline.push_back(plane.flat(at(v.point)));
+    for (const Shape& shape : scene_.shapes) {
+      if (!shape.is_solid) add_segment(shape.corners, plane, outline);
+      for (const auto& loop : shape.facets) add_segment(loop, plane, outline);
+    }
+    return std::move(cuts_);
+  }
+
+  std::vector<LightCut> of_linear_light() {
+    const ExactVector a = at(scene_.light_edges[0].a), b = at(scene_.light_edges[0].b);
+    for (const Shape& shape : scene_.shapes) {
+      if (!shape.is_solid) add_point(shape.corners, a, b);
+      for (const auto& loop : shape.facets) add_point(loop, a, b);
+    }
+    return std::move(cuts_);
+  }
+
+ private:
+  ExactVector at(PointId id) const { return exact(scene_.points[id].input); }
+
+  /// The part of a loop's polygon in the light's plane, inside the light.
+  void add_segment(const std::vector<PointId>& loop, const ReceiverPlane& plane,
+                   const std::vector<FlatPoint>& outline) {
+    const std::size_t n = loop.size();
+    std::vector<int> sides(n);
+    for (std::size_t k = 0; k < n; ++k) sides[k] = scene_.light_side(loop[k]);
+    if (std::all_of(sides.begin(), sides.end(), [](int s) { return s == 0; })) return;
+    std::vector<FlatPoint> ends;
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::size_t next = (k + 1) % n;
+      if (sides[k] == 0) ends.push_back(plane.flat(at(loop[k])));
+      if (sides[k] * sides[next] >= 0) continue;
+      const ExactVector p = at(loop[k]), q = at(loop[next]);
+      const Rational at_p = plane.plane().height(p), at_q = plane.plane().height(q);
+      ends.push_back(plane.flat(p + Rational(at_p / (at_p - at_q)) * (q - p)));
+    }
+    if (ends.size() != 2) return;
+    FlatSegment segment{ends[0], ends[1], 0};
+    if (!clip(segment, outline)) return;
+    cuts_.push_back({{event_point(plane.spatial(segment.start)), event_point(plane.spatial(segment.end))}});
+  }
+
+  /// The point in which the segment from a to b passes through a loop's polygon.
+  void add_point(const std::vector<PointId>& loop, const ExactVector& a, const ExactVector& b) {
+    const ReceiverPlane plane(scene_.points[loop[0]].input, scene_.points[loop[1]].input, scene_.points[loop[2]].input);
+    const Rational at_a = plane.plane().height(a), at_b = plane.plane().height(b);
+    if (at_a.sign() * at_b.sign() >= 0) return;
+    const ExactVector p = a + Rational(at_a / (at_a - at_b)) * (b - a);
+    const FlatPoint q = plane.flat(p);
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const FlatPoint c = plane.flat(at(loop[k])), d = plane.flat(at(loop[(k + 1) % loop.size()]));
+      if ((d.x - c.x) * (q.y - c.y) - (d.y - c.y) * (q.x - c.x) < 0) return;
+    }
+    cuts_.push_back({{event_point(p), event_point(p)}});
+  }
+
+  const EventScene& scene_;
+  std::vector<LightCut> cuts_;
+};
+
+}  // namespace
+
+std::vector<LightCut> light_cuts(const EventScene& scene) {
+  LightCuts cuts(scene);
+  if (scene.kind == LightKind::area) return cuts.of_area_light();
+  if (scene.kind == LightKind::linear) return cuts.of_linear_light();
+  return {};
+}
+
+std::optional<LightCut> plane_cut(const EventScene& scene, const std::vector<PointId>& loop) {
+  const std::size_t n = scene.light_vertices.size();
+  std::vector<int> sides;
+  for (const LightVertex& v : scene.light_vertices) {
+    sides.push_back(
+        orientation(scene.points[loop[0]], scene.points[loop[1]], scene.points[loop[2]], scene.points[v.point]));
+  }
+  if (*std::min_element(sides.begin(), sides.end()) >= 0 || *std::max_element(sides.begin(), sides.end()) <= 0)
+    return {};
+  const auto at = [&](PointId id) { return exact(scene.points[id].input); };
+  const ExactPlane plane = plane_through(at(loop[0]), at(loop[1]), at(loop[2]));
+  std::vector<ExactVector> ends;
+  for (std::size_t k = 0; k < n; ++k) {
+    const ExactVector p = at(scene.light_vertices[k].point), q = at(scene.light_vertices[(k + 1) % n].point);
+    if (sides[k] == 0) ends.push_back(p);
+    if (sides[k] * sides[(k + 1) % n] >= 0 || (n == 2 && k == 1)) continue;
+    const Rational at_p = plane.height(p), at_q = plane.height(q);
+    ends.push_back(p + Rational(at_p / (at_p - at_q)) * (q - p));
+  }
+  return LightCut{{event_point(ends.front()), event_point(ends.back())}};
+}
+
+}  // namespace gnomon::event

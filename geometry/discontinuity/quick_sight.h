@@ -1,0 +1,84 @@
+#pragma once
+
+/// The region of a point by intervals, where these tell. Private to this folder.
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "geometry/discontinuity/event_scene.h"
+#include "geometry/discontinuity/receiver_plane.h"
+#include "geometry/region.h"
+
+namespace gnomon::event {
+
+/// What is known of a point's region.
+struct QuickAnswer {
+  Region region = Region::lit;
+  bool is_certain_of_face = false;  ///< a vertex of the light is seen, or everything: no triple-edge event ends that
+  std::optional<ShapeId> cover;     ///< umbra: a blocker that hides all of the light
+};
+
+/// For every light vertex and blocker the half-spaces of the shadow that the vertex alone would throw.
+///
+/// Requires: the rounding mode is protected while any member runs.
+class VertexShadows {
+ public:
+  explicit VertexShadows(const EventScene& scene);
+
+  enum class Answer { hidden, seen, unknown };
+  /// Whether a shape hides a light vertex from a point. Exactness: intervals; unknown where they do not tell.
+  Answer ask(std::uint32_t light_vertex, ShapeId shape, const PointEnclosure& p) const;
+
+  /// True if the closed shadow holds a point near `near`; exact: the point itself is asked for only if need be.
+  bool holds(std::uint32_t light_vertex, ShapeId shape, const PointEnclosure& near,
+             const std::function<ExactVector()>& exact_point) const;
+
+ private:
+  /// A side of a shadow: positive inside, the plane of three points.
+  struct Side {
+    std::array<Interval, 3> normal{Interval(0), Interval(0), Interval(0)};
+    Point3 origin;
+    std::array<PointId, 3> points{};
+    int sign = 1;
+  };
+  struct Range {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;  ///< 0: nothing is known, because the vertex lies in the plane of a face
+  };
+
+  void add(PointId light, const Shape& shape);
+  bool add_side(const std::array<PointId, 3>& points, PointId inside, const Shape& shape);
+  Interval value(const Side& side, const PointEnclosure& p) const;
+
+  const EventScene& scene_;
+  std::vector<Side> sides_;
+  std::vector<Range> ranges_;  ///< light vertex by light vertex
+};
+
+/// Answers for one receiver.
+class QuickSight {
+ public:
+  QuickSight(const EventScene& scene, const VertexShadows& shadows, std::uint32_t receiver);
+
+  /// The region of a point of the receiver, given the blockers that may hide something from it; nothing if intervals do
+  /// not tell.
+  std::optional<QuickAnswer> region(const PointEnclosure& p, std::span<const ShapeId> near);
+
+ private:
+  bool hides_nothing(ShapeId shape);
+  bool is_beside_light(const Shape& shape, const PointEnclosure& p) const;
+  bool is_in_light(const Shape& shape, const PointEnclosure& p, int before) const;
+  int side(const PointEnclosure& p, PointId a, PointId b, PointId c) const;
+
+  const EventScene& scene_;
+  const VertexShadows& shadows_;
+  const Shape& receiver_;
+  bool light_in_front_ = true;
+  bool light_behind_ = true;
+  std::vector<std::int8_t> known_;  ///< of each shape: 0 not yet, 1 may hide something, 2 hides nothing
+};
+
+}  // namespace gnomon::event
