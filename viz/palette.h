@@ -16,6 +16,8 @@ struct Palette {
   Color lit = {1.00, 0.97, 0.86};
   Color penumbra = {0.47, 0.71, 0.89};
   Color umbra = {0.07, 0.22, 0.42};
+  Color unlit = {0.35, 0.33, 0.36};
+  Color unresolved = {0.80, 0.47, 0.65};
   Color occlusion = {0.60, 0.60, 0.60};
   Color separating = {0.72, 0.11, 0.42};
   Color supporting = {0.00, 0.48, 0.32};
@@ -23,5 +25,17 @@ struct Palette {
 };
 
 inline constexpr Palette palette;
+
+/// The colour of a region by its number.
+inline constexpr Color region_color(int region) {
+  const Color colors[] = {palette.lit, palette.penumbra, palette.umbra, palette.unlit, palette.unresolved};
+  return region >= 0 && region < 5 ? colors[region] : palette.edge;
+}
+
+/// The colour of a discontinuity by its order.
+inline constexpr Color order_color(int order) {
+  const Color colors[] = {palette.edge, palette.separating, palette.supporting};
+  return order >= 0 && order < 3 ? colors[order] : palette.edge;
+}
 
 }  // namespace gnomon::viz

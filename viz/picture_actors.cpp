@@ -24,7 +24,7 @@ struct Look {
   double line_width = 1;
 };
 
-void add_actor(vtkRenderer& renderer, vtkPolyDataMapper* mapper, const Look& look) {
+vtkActor* add_actor(vtkRenderer& renderer, vtkPolyDataMapper* mapper, const Look& look) {
   mapper->ScalarVisibilityOff();
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
@@ -37,6 +37,7 @@ void add_actor(vtkRenderer& renderer, vtkPolyDataMapper* mapper, const Look& loo
   property->SetInterpolationToFlat();
   property->SetLineWidth(static_cast<float>(look.line_width));
   renderer.AddActor(actor);
+  return actor;
 }
 
 void add_data(vtkRenderer& renderer, vtkPolyData* data, const Look& look) {
@@ -112,6 +113,29 @@ void add_shadows(vtkRenderer& renderer, const PictureScene& scene, const Picture
   }
 }
 
+// Triangles lie a little above the receiver, lines a little above these.
+void add_meshes(vtkRenderer& renderer, const PictureScene& scene, const PictureView& view, double pixel) {
+  for (const PaintedMesh& mesh : scene.meshes) {
+    const PictureReceiver& receiver = scene.receivers[mesh.receiver];
+    if (!is_seen_from_inside(receiver, view)) continue;
+    const double side = receiver.plane.distance(view.position) > 0 ? 1 : -1;
+    const Point3 lift = side * scene.size * (mesh.region < 0 ? 4e-4 : 2e-4) * receiver.plane.normal;
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(mesh.data);
+    const double width = mesh.region < 0 ? 0.5 * pixel : 1;
+    vtkActor* actor = add_actor(renderer, mapper, {region_color(mesh.region), 1, 0.9, width});
+    actor->SetPosition(lift.x, lift.y, lift.z);
+  }
+}
+
+void add_discontinuities(vtkRenderer& renderer, const PictureScene& scene, double pixel) {
+  for (const PictureBlock& block : scene.discontinuities) {
+    const Color color = order_color(block.path.back().back() - '0');
+    add_data(renderer, block.data, {color, 0.12, 0.8});
+    add_edges(renderer, block.data, {color, 0.5, 1, 0.5 * pixel});
+  }
+}
+
 // The borders of volumes are drawn already: they are edges of blockers and of painted shadows.
 void add_volumes(vtkRenderer& renderer, const PictureScene& scene, double pixel) {
   for (const auto& surface : scene.umbras) {
@@ -152,6 +176,8 @@ void add_light(vtkRenderer& renderer, const PictureBlock& light, double size, do
 void add_actors(vtkRenderer& renderer, const PictureScene& scene, const PictureView& view, double pixel) {
   add_receivers(renderer, scene, view, pixel);
   add_shadows(renderer, scene, view, pixel);
+  add_meshes(renderer, scene, view, pixel);
+  add_discontinuities(renderer, scene, pixel);
   for (const PictureBlock& light : scene.lights) add_light(renderer, light, scene.size, pixel);
   for (const PictureBlock& blocker : scene.blockers) {
     add_data(renderer, blocker.data, {palette.blocker, 1, 0.6});

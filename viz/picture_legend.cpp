@@ -135,6 +135,15 @@ std::vector<LegendEntry> legend_entries(const PictureScene& scene) {
   if (!scene.receivers.empty()) list.push_back({receiver_text(scene), palette.receiver});
   if (painted(false)) list.push_back({"penumbra on receiver", palette.penumbra});
   if (painted(true)) list.push_back({"umbra on receiver", palette.umbra});
+  const char* regions[] = {"lit", "penumbra", "umbra", "unlit", "three edges in line"};
+  for (const int region : {0, 1, 2, 3, 4}) {
+    const auto has_region = [&](const PaintedMesh& mesh) { return mesh.region == region; };
+    if (std::ranges::any_of(scene.meshes, has_region)) list.push_back({regions[region], region_color(region)});
+  }
+  for (const PictureBlock& block : scene.discontinuities) {
+    const int order = block.path.back().back() - '0';
+    list.push_back({"discontinuity D" + std::to_string(order), faint(order_color(order), 0.5)});
+  }
   return list;
 }
 

@@ -118,6 +118,39 @@ void add_shadows(PictureScene& scene, const PictureBlock& block) {
   }
 }
 
+/// The cells whose array `region` has a value.
+vtkSmartPointer<vtkPolyData> cells_of_region(vtkPolyData& surface, int region) {
+  vtkDataArray* regions = surface.GetCellData()->GetArray("region");
+  vtkNew<vtkCellArray> cells;
+  for (vtkIdType i = 0; i < surface.GetNumberOfCells(); ++i) {
+    if (regions == nullptr || static_cast<int>(regions->GetComponent(i, 0)) != region) continue;
+    vtkIdType size = 0;
+    const vtkIdType* points = nullptr;
+    surface.GetCellPoints(i, size, points);
+    cells->InsertNextCell(size, points);
+  }
+  auto part = vtkSmartPointer<vtkPolyData>::New();
+  part->SetPoints(surface.GetPoints());
+  part->SetPolys(cells);
+  return part;
+}
+
+/// A block `receivers/LIGHT/RECEIVER/faces` or `.../edges`.
+void add_mesh(PictureScene& scene, const PictureBlock& block) {
+  const auto named = [&](const PictureReceiver& receiver) { return receiver.name == block.path[2]; };
+  const auto found = std::ranges::find_if(scene.receivers, named);
+  if (found == scene.receivers.end()) return;
+  const auto receiver = static_cast<std::size_t>(found - scene.receivers.begin());
+  if (block.kind == "receiver_edges") {
+    scene.meshes.push_back({receiver, -1, block.data});
+    return;
+  }
+  for (const int region : {0, 1, 2, 3, 4}) {
+    const auto part = cells_of_region(*block.data, region);
+    if (part->GetNumberOfCells() > 0) scene.meshes.push_back({receiver, region, part});
+  }
+}
+
 }  // namespace
 
 PictureScene picture_scene(const PictureSource& source) {
@@ -133,6 +166,8 @@ PictureScene picture_scene(const PictureSource& source) {
     if (block.kind == "receiver") scene.receivers.push_back(receiver(block, points, scene.size));
   }
   for (const PictureBlock& block : blocks) {
+    if (block.kind == "receiver_faces" || block.kind == "receiver_edges") add_mesh(scene, block);
+    if (block.kind == "discontinuities") scene.discontinuities.push_back(block);
     if (block.kind != "volume") continue;
     add_volume(scene, block);
     add_shadows(scene, block);
@@ -150,6 +185,7 @@ std::vector<Point3> visible_points(const PictureScene& scene) {
   for (const PictureReceiver& receiver : scene.receivers) add(receiver.polygon);
   for (const auto& surface : scene.umbras) add(points_of(*surface));
   for (const auto& surface : scene.penumbras) add(points_of(*surface));
+  for (const PictureBlock& block : scene.discontinuities) add(points_of(*block.data));
   return all;
 }
 

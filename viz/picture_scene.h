@@ -40,6 +40,13 @@ struct PaintedShadow {
   Polygon polygon;
 };
 
+/// What a receiver receives, as triangles of one region, or as lines.
+struct PaintedMesh {
+  std::size_t receiver;
+  int region;  ///< number of the region; -1 for lines
+  vtkSmartPointer<vtkPolyData> data;
+};
+
 /// What is drawn.
 struct PictureScene {
   std::string title;
@@ -51,6 +58,8 @@ struct PictureScene {
   std::vector<vtkSmartPointer<vtkPolyData>> umbras;
   std::vector<vtkSmartPointer<vtkPolyData>> penumbras;  ///< without the boundary they share with umbras
   std::vector<PaintedShadow> shadows;                   ///< penumbrae first
+  std::vector<PaintedMesh> meshes;                      ///< of receivers divided by discontinuities
+  std::vector<PictureBlock> discontinuities;            ///< surfaces, one block for each order
 };
 
 PictureScene picture_scene(const PictureSource& source);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
 
 #include "geometry/errors.h"
 #include "viz/block.h"
@@ -94,26 +93,6 @@ void write_all(Writing& writing, const WriteOptions& options) {
   writing.folder.add_text("manifest.json", viz::manifest_text(writing.result, writing.entries));
 }
 
-/// Only what can be a file of ours inside the folder: an earlier manifest is no reason to remove anything else.
-bool may_be_removed(const fs::path& file) {
-  if (file.is_absolute() || std::ranges::count(file, fs::path("..")) > 0) return false;
-  return file == "view.py" || file.begin()->string().starts_with("shadow");
-}
-
-void remove_stale(const fs::path& directory, const std::vector<std::string>& earlier,
-                  const std::vector<std::string>& now) {
-  const std::set<std::string> kept(now.begin(), now.end());
-  std::error_code ignored;
-  for (const std::string& file : earlier) {
-    if (kept.contains(file) || !may_be_removed(file)) continue;
-    fs::remove(directory / file, ignored);
-    for (fs::path folder = fs::path(file).parent_path(); !folder.empty(); folder = folder.parent_path()) {
-      if (!fs::is_empty(directory / folder, ignored) || ignored) break;
-      fs::remove(directory / folder, ignored);
-    }
-  }
-}
-
 }  // namespace
 
 std::string_view name(OutputFormat format) {
@@ -135,7 +114,7 @@ std::vector<fs::path> write_shadow(const ShadowResult& result, const fs::path& d
   write_all(writing, options);
   const std::vector<std::string> earlier = viz::earlier_files(directory);
   folder.publish();
-  remove_stale(directory, earlier, folder.files());
+  viz::remove_stale(directory, earlier, folder.files());
 
   std::vector<fs::path> files(writing.entries.roots.begin(), writing.entries.roots.end());
   for (const std::string& file : folder.files()) {

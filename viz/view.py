@@ -76,7 +76,8 @@ class Result:
             return None
         folder = {"light": "scene/lights", "blocker": "scene/blockers", "receiver": "scene/receivers",
                   "volume": "volumes", "extremal_planes": "extremal_planes", "region": "regions",
-                  "boundaries": "boundaries"}[kind]
+                  "boundaries": "boundaries", "receiver_faces": "receivers", "receiver_edges": "receivers",
+                  "discontinuities": "discontinuities"}[kind]
         extract = simple.ExtractBlock(registrationName=name, Input=self.reader)
         extract.Selectors = ["//" + folder if region is None else f"//{folder}/*/*/{region}"]
         extract.UpdatePipeline()
@@ -193,7 +194,15 @@ def show_space(result):
     blockers = result.part("blockers", "blocker")
     result.show(lights, LIGHT, edges=True)
     result.show(blockers, BLOCKER, edges=True)
-    result.show(result.part("receivers", "receiver"), RECEIVER, edges=True)
+    faces = result.part("receiver faces", "receiver_faces", "faces")
+    if faces is None:
+        result.show(result.part("receivers", "receiver"), RECEIVER, edges=True)
+    else:
+        simple.ColorBy(result.show(faces, EDGE), ("CELLS", "region"))
+        result.show(result.part("receiver edges", "receiver_edges", "edges"), EDGE).LineWidth = 1.0
+    surfaces = result.part("discontinuities", "discontinuities")
+    if surfaces is not None:
+        simple.ColorBy(result.show(surfaces, PLANE, 0.3), ("CELLS", "discontinuity_order"))
     # Blocker faces lie on the blockers, a penumbra's supporting planes on the umbra.
     umbrae = show_volume(result, "umbra", 0.55, (0,))
     penumbrae = show_volume(result, "penumbra", 0.3, (0, 3))
@@ -206,6 +215,8 @@ def show_space(result):
             simple.Hide(hidden, result.view)
 
     set_camera(result.view, up_axis(lights, blockers))
+    if faces is not None:
+        return [name for _, name, _ in REGIONS]
     return [name for name, source in (("umbra", umbrae), ("penumbra", penumbrae)) if source is not None]
 
 
