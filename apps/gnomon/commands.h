@@ -45,6 +45,12 @@ ExitCode grid_command(Arguments arguments);
 /// `gnomon irradiance`: what every light gives to receivers at given points, as CSV and JSON.
 ExitCode irradiance_command(Arguments arguments);
 
+/// `gnomon discontinuities`: the surfaces in space across which the visible fraction changes its formula.
+ExitCode discontinuities_command(Arguments arguments);
+
+/// `gnomon receivers`: regions and discontinuity mesh on every receiver.
+ExitCode receivers_command(Arguments arguments);
+
 /// `gnomon render`: a picture of a scene or of a folder written by `gnomon shadow`.
 ExitCode render_command(Arguments arguments);
 

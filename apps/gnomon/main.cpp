@@ -29,12 +29,15 @@ constexpr std::array commands{
     Command{"grid", "tells the same for the points of a grid, as VTK image data", grid_command},
     Command{"irradiance", "tells the irradiance that every light gives to given points and normals",
             irradiance_command},
+    Command{"discontinuities", "surfaces across which what is visible of a light changes its formula",
+            discontinuities_command},
+    Command{"receivers", "regions and discontinuity mesh on every receiver", receivers_command},
     Command{"render", "makes a picture of a scene or of a result folder", render_command},
     Command{"theorems", "checks every numbered statement of the theory, and refutes the false ones", theorems_command},
 };
 
 /// Words of the documented command language that this version does not know how to obey.
-constexpr std::array<std::string_view, 3> later_commands{"discontinuities", "receivers", "report"};
+constexpr std::array<std::string_view, 1> later_commands{"report"};
 
 std::string command_list() {
   std::string list;
@@ -46,7 +49,7 @@ void print_help(std::ostream& stream) {
   stream << "gnomon computes exact shadow volumes of lights behind convex blockers, and hands them to ParaView.\n\n"
             "Usage: gnomon COMMAND [OPTIONS]\n\nCommands:\n";
   for (const Command& command : commands) {
-    stream << "  " << command.name << std::string(12 - command.name.size(), ' ') << command.does << '\n';
+    stream << "  " << command.name << std::string(17 - command.name.size(), ' ') << command.does << '\n';
   }
   stream << "\nOptions:\n"
             "  -h, --help    print this text; 'gnomon COMMAND --help' says more about a command\n"

@@ -46,7 +46,7 @@ TEST_F(Program, NamesAnUnknownCommandAndTheNearestKnownOne) {
 }
 
 TEST_F(Program, SaysThatADocumentedCommandIsNotAvailableYet) {
-  for (const std::string command : {"discontinuities", "receivers", "report"}) {
+  for (const std::string command : {"report"}) {
     const Outcome run = gnomon(command + " scene.json");
     EXPECT_EQ(run.code, 4) << command;
     EXPECT_THAT(run.err, AllOf(HasSubstr("'" + command + "'"), HasSubstr("not available in this version")));

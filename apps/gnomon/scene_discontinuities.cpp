@@ -1,0 +1,148 @@
+#include "apps/gnomon/scene_discontinuities.h"
+
+#include <algorithm>
+#include <atomic>
+#include <future>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "apps/gnomon/console.h"
+#include "apps/gnomon/element_choice.h"
+#include "geometry/scene/convex_parts.h"
+#include "geometry/scene/scene_points.h"
+
+namespace gnomon {
+namespace {
+
+/// A scene as the geometry takes it.
+struct Parts {
+  std::vector<ConvexBlocker> blockers;
+  std::vector<ClosedSurface> enclosures;
+  std::vector<ConvexPolygon> receivers;     ///< the flat ones
+  std::vector<std::uint32_t> receiver_ids;  ///< of each, its index in Scene::receivers
+};
+
+Parts parts_of(const Scene& scene, DiscontinuityResult& result) {
+  if (scene.dimension != 3) throw UnsupportedError("discontinuities on receivers need a scene of dimension 3");
+  Parts parts;
+  for (std::uint32_t b = 0; b < scene.blockers.size(); ++b) {
+    for (ConvexPart& part : convex_parts(scene.blockers[b])) {
+      parts.blockers.push_back(std::move(part.shape));
+      result.blockers.push_back(std::move(part.name));
+      result.blocker_ids.push_back(b);
+    }
+    if (auto space = enclosed_space(scene.blockers[b])) parts.enclosures.push_back(std::move(*space));
+  }
+  for (std::uint32_t r = 0; r < scene.receivers.size(); ++r) {
+    if (scene.receivers[r].shape.is_flat()) {
+      parts.receivers.push_back(scene.receivers[r].shape);
+      parts.receiver_ids.push_back(r);
+    } else {
+      print_warning("receiver '" + scene.receivers[r].name + "' is left out: its vertices are not exactly coplanar");
+    }
+  }
+  return parts;
+}
+
+/// Why a light is not supported; empty if it is.
+std::string refusal(const SceneLight& light, const Parts& parts) {
+  const auto* area = std::get_if<AreaLight>(&light.shape);
+  if (area && !area->polygon.is_flat()) return "its vertices are not exactly coplanar";
+  for (const Point3& p : light_points(light.shape)) {
+    for (const ClosedSurface& surface : parts.enclosures) {
+      if (is_strictly_inside(p, surface)) return "it lies inside a closed mesh";
+    }
+  }
+  return {};
+}
+
+/// The lights asked for that are supported, by their index.
+std::vector<std::uint32_t> supported_lights(const Scene& scene, const std::string& name, const Parts& parts) {
+  require_name("--light", "light", name, scene.lights);
+  std::vector<std::uint32_t> supported;
+  std::string reasons;
+  for (std::uint32_t l = 0; l < scene.lights.size(); ++l) {
+    const SceneLight& light = scene.lights[l];
+    if (!name.empty() && light.name != name) continue;
+    const std::string reason = refusal(light, parts);
+    if (reason.empty()) {
+      supported.push_back(l);
+    } else {
+      reasons += (reasons.empty() ? "light '" : "; light '") + light.name + "': " + reason;
+    }
+  }
+  if (supported.empty() && !reasons.empty()) throw UnsupportedError(scene.source + ": " + reasons);
+  if (!reasons.empty()) print_warning(reasons);
+  return supported;
+}
+
+/// Runs `work(i)` for all i below n, on as many threads as are asked for.
+template <class Work>
+void on_threads(std::size_t n, unsigned threads, const Work& work) {
+  std::atomic<std::size_t> next = 0;
+  const auto run = [&] {
+    for (std::size_t i = next++; i < n; i = next++) work(i);
+  };
+  const std::size_t wanted = threads ? threads : std::max(1U, std::thread::hardware_concurrency());
+  std::vector<std::future<void>> helpers;
+  for (std::size_t i = 1; i < std::min(wanted, n); ++i) helpers.push_back(std::async(std::launch::async, run));
+  run();
+  for (std::future<void>& helper : helpers) helper.get();
+}
+
+}  // namespace
+
+DiscontinuityResult divided_receivers(const Scene& scene, const ReceiverSelection& selection, VertexFractions fractions,
+                                      const Effort& effort) {
+  using enum Progress::Visibility;
+  DiscontinuityResult result{&scene, {}, {}, {}};
+  const Parts parts = parts_of(scene, result);
+  require_name("--receiver", "receiver", selection.receiver, scene.receivers);
+  const std::vector<std::uint32_t> lights = supported_lights(scene, selection.light, parts);
+  std::vector<std::uint32_t> chosen;
+  for (std::uint32_t r = 0; r < parts.receivers.size(); ++r) {
+    const std::string& name = scene.receivers[parts.receiver_ids[r]].name;
+    if (selection.receiver.empty() || name == selection.receiver) chosen.push_back(r);
+  }
+  if (chosen.empty() && !scene.receivers.empty()) {
+    throw UnsupportedError(scene.source + ": no receiver asked for has exactly coplanar vertices");
+  }
+  std::vector<ConvexPolygon> receivers;
+  for (const std::uint32_t r : chosen) receivers.push_back(parts.receivers[r]);
+  Progress progress("receiver", lights.size() * chosen.size(), effort.shows_progress ? automatic : hidden);
+  for (const std::uint32_t l : lights) {
+    const ReceiverDivision division(scene.lights[l].shape, parts.blockers, receivers);
+    std::vector<std::optional<ReceiverResult>> made(chosen.size());
+    on_threads(chosen.size(), effort.threads, [&](std::size_t i) {
+      const auto r = static_cast<std::uint32_t>(i);
+      const std::uint32_t id = parts.receiver_ids[chosen[i]];
+      made[i] = ReceiverResult{l, id, scene.lights[l].name, scene.receivers[id].name, division.mesh(r)};
+      if (fractions == VertexFractions::worked_out) {
+        made[i]->visible_fractions = division.visible_fractions(r, made[i]->mesh);
+      }
+      progress.step();
+    });
+    for (auto& one : made) result.receivers.push_back(std::move(*one));
+  }
+  return result;
+}
+
+DiscontinuityResult scene_surfaces(const Scene& scene, const std::string& light, const Box3& box,
+                                   const Effort& effort) {
+  using enum Progress::Visibility;
+  DiscontinuityResult result{&scene, box, {}, {}};
+  const Parts parts = parts_of(scene, result);
+  const std::vector<std::uint32_t> lights = supported_lights(scene, light, parts);
+  Progress progress("light", lights.size(), effort.shows_progress ? automatic : hidden);
+  std::vector<SurfaceResult> made(lights.size());
+  on_threads(lights.size(), effort.threads, [&](std::size_t i) {
+    const SceneLight& l = scene.lights[lights[i]];
+    made[i] = {lights[i], l.name, discontinuity_surfaces(l.shape, parts.blockers, parts.receivers, box)};
+    progress.step();
+  });
+  result.surfaces = std::move(made);
+  return result;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,104 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/apps/gnomon/program_fixture.h"
+
+namespace gnomon {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// The table of table_scene over a floor of side 40; below it umbra has side 2 (2 + 2/2) and occlusion 2 (2 + 3).
+const std::string floor_scene = R"({
+  "gnomon": 1, "dimension": 3,
+  "lights": [{"name": "lamp", "shape": "polygon", "vertices": [[-1,-1,4], [-1,1,4], [1,1,4], [1,-1,4]]}],
+  "blockers": [{"name": "table", "shape": "polygon", "vertices": [[-2,-2,2], [2,-2,2], [2,2,2], [-2,2,2]]}],
+  "receivers": [
+    {"name": "floor", "shape": "polygon", "vertices": [[-20,-20,0], [20,-20,0], [20,20,0], [-20,20,0]]},
+    {"name": "ceiling", "shape": "polygon", "vertices": [[-2,-2,4], [-2,2,4], [2,2,4], [2,-2,4]]}]
+})";
+
+class ReceiversCommand : public Program {
+ protected:
+  ReceiversCommand() { write("floor.scene.json", floor_scene); }
+};
+
+TEST_F(ReceiversCommand, TellsTheExactAreasOfRegionsAsJson) {
+  const Outcome run = gnomon("receivers floor.scene.json --receiver floor --json -");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json result = json::parse(run.out);
+  EXPECT_EQ(result["schema"], "gnomon/receivers/1");
+  ASSERT_EQ(result["receivers"].size(), 1U);
+  const json& floor = result["receivers"][0];
+  EXPECT_EQ(floor["name"], "floor");
+  EXPECT_EQ(floor["light"], "lamp");
+  EXPECT_EQ(floor["area"], 1600.0);
+  EXPECT_EQ(floor["areas"]["umbra"]["exact"], "36");
+  EXPECT_EQ(floor["areas"]["penumbra"]["exact"], "64");
+  EXPECT_EQ(floor["areas"]["lit"]["double"], 1500.0);
+  EXPECT_EQ(floor["areas"]["unresolved_eee"]["exact"], "0");
+  EXPECT_GT(floor["faces"], 2);
+}
+
+TEST_F(ReceiversCommand, CallsAReceiverInTheLightsPlaneUnlit) {
+  const json result = json::parse(gnomon("receivers floor.scene.json --receiver ceiling --json -").out);
+  EXPECT_EQ(result["receivers"][0]["areas"]["unlit"]["exact"], "16");
+}
+
+TEST_F(ReceiversCommand, WritesFacesAndEdgesOfEveryReceiver) {
+  const Outcome run = gnomon("receivers floor.scene.json --out mesh --format vtm,vtpc");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("floor, light lamp"));
+  for (const std::string file : {"receivers.vtm", "receivers.vtpc", "view.py", "shadow/receivers/lamp/floor/faces.vtp",
+                                 "shadow/receivers/lamp/floor/edges.vtp", "shadow/scene/blockers/table.vtp"}) {
+    EXPECT_TRUE(exists("mesh/" + file)) << file;
+  }
+  const json manifest = read_json("mesh/manifest.json");
+  EXPECT_EQ(manifest["roots"], json({"receivers.vtm", "receivers.vtpc"}));
+}
+
+TEST_F(ReceiversCommand, RemovesItsOwnOldFilesAndNothingElse) {
+  ASSERT_EQ(gnomon("receivers floor.scene.json --out mesh").code, 0);
+  write("mesh/notes.txt", "mine");
+  ASSERT_EQ(gnomon("discontinuities floor.scene.json --out mesh").code, 0);
+  EXPECT_FALSE(exists("mesh/receivers.vtm"));
+  EXPECT_FALSE(exists("mesh/shadow/receivers/lamp/floor/faces.vtp"));
+  EXPECT_TRUE(exists("mesh/discontinuities.vtm"));
+  EXPECT_TRUE(exists("mesh/notes.txt"));
+}
+
+TEST_F(ReceiversCommand, RefusesNamesAndFormatsThatAreNotThere) {
+  EXPECT_EQ(gnomon("receivers floor.scene.json --receiver roof").code, 2);
+  EXPECT_EQ(gnomon("receivers floor.scene.json --light roof").code, 2);
+  EXPECT_EQ(gnomon("receivers floor.scene.json --format obj").code, 2);
+  EXPECT_EQ(gnomon("receivers missing.scene.json").code, 3);
+}
+
+TEST_F(ReceiversCommand, EndsWith4WhereNothingIsSupported) {
+  write("bent.scene.json", bent_lamp_scene);
+  const Outcome bent = gnomon("receivers bent.scene.json");
+  EXPECT_EQ(bent.code, 4);
+  EXPECT_THAT(bent.err, HasSubstr("exactly coplanar"));
+  const Outcome planar = gnomon("receivers examples/figure_4_17.scene.json");
+  EXPECT_EQ(planar.code, 4);
+  EXPECT_THAT(planar.err, HasSubstr("dimension 3"));
+}
+
+TEST_F(ReceiversCommand, TellsTheSameWithAnyNumberOfThreads) {
+  const Outcome one = gnomon("receivers examples/cornell_box.scene.json --light ceiling_lamp --threads 1 --json -");
+  const Outcome three = gnomon("receivers examples/cornell_box.scene.json --light ceiling_lamp --threads 3 --json -");
+  ASSERT_EQ(one.code, 0) << one.err;
+  EXPECT_EQ(one.out, three.out);
+  EXPECT_THAT(one.err, IsEmpty());
+}
+
+TEST_F(ReceiversCommand, RunsItsOwnExamples) {
+  const std::vector<std::string> examples = examples_of(gnomon("receivers --help").out);
+  ASSERT_FALSE(examples.empty());
+  for (const std::string& example : examples) EXPECT_EQ(gnomon(example).code, 0) << example;
+}
+
+}  // namespace
+}  // namespace gnomon

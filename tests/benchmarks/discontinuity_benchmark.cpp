@@ -1,0 +1,50 @@
+#include <benchmark/benchmark.h>
+#include <sys/resource.h>
+
+#include "geometry/discontinuity/receiver_mesh.h"
+#include "tests/benchmarks/box_stacks.h"
+
+// k x k stacks of 8 boxes on a floor, every face a receiver (48 k^2 + 1 of them), divided by all edge-vertex events and
+// labelled: under a small distant light, and under a square light three stack heights above the floor.
+namespace gnomon::benchmarks {
+namespace {
+
+/// Counters: receivers, output faces, and the largest memory of the process so far in MB.
+void divide(benchmark::State& state, const Light& light, const BoxStacks& stacks) {
+  std::size_t faces = 0, events = 0;
+  for (auto unused : state) {
+    faces = events = 0;
+    const ReceiverDivision division(light, stacks.boxes, stacks.receivers);
+    for (std::uint32_t r = 0; r < division.size(); ++r) {
+      const ReceiverMesh mesh = division.mesh(r);
+      faces += mesh.faces().size();
+      events += mesh.names().size();
+    }
+  }
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  state.counters["receivers"] = static_cast<double>(stacks.receivers.size());
+  state.counters["faces"] = static_cast<double>(faces);
+  state.counters["events"] = static_cast<double>(events);
+  state.counters["MB"] = static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+std::size_t stacks_along(const benchmark::State& state) {
+  return static_cast<std::size_t>(state.range(0));
+}
+
+void stacks_under_distant_hexagon(benchmark::State& state) {
+  const std::size_t k = stacks_along(state);
+  divide(state, distant_hexagon(k), box_stacks(k));
+}
+
+void stacks_under_square(benchmark::State& state) {
+  const std::size_t k = stacks_along(state);
+  divide(state, square_above(k), box_stacks(k));
+}
+
+BENCHMARK(stacks_under_distant_hexagon)->DenseRange(1, 3)->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(stacks_under_square)->DenseRange(1, 2)->Iterations(1)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace gnomon::benchmarks

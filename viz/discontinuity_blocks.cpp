@@ -1,0 +1,205 @@
+#include "viz/discontinuity_blocks.h"
+
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+
+#include "viz/cell_arrays.h"
+#include "viz/vtk_cells.h"
+
+namespace gnomon::viz {
+namespace {
+
+/// Texts of events, and which of them each cell bears.
+struct EventCells {
+  std::vector<std::string> names;
+  std::vector<std::int32_t> of_cell;
+};
+
+std::string event_text(const DiscontinuityResult& result, const std::string& light, const std::string& receiver,
+                       const EventName& name) {
+  const auto text = [&](const EventElement& element) {
+    return element_text(result, light, receiver, element) + "[" + std::to_string(element.index) + "]";
+  };
+  const std::string kind(gnomon::name(name.kind));
+  if (name.kind != EventKind::vertex_edge) return kind + " " + text(name.edge);
+  return "vertex " + text(name.vertex) + ", edge " + text(name.edge);
+}
+
+void add_event_array(vtkPolyData& data, const EventCells& events) {
+  vtkNew<vtkIntArray> array;
+  array->SetName("event");
+  for (const std::int32_t event : events.of_cell) array->InsertNextValue(event);
+  data.GetCellData()->AddArray(array);
+}
+
+void add_fractions(vtkPolyData& data, const std::vector<double>& fractions) {
+  if (fractions.empty()) return;
+  vtkNew<vtkDoubleArray> array;
+  array->SetName("visible_fraction");
+  for (const double fraction : fractions) array->InsertNextValue(fraction);
+  data.GetPointData()->AddArray(array);
+}
+
+std::int32_t blocker_id(const DiscontinuityResult& result, const EventName& name) {
+  if (name.edge.of == EventOf::blocker) return static_cast<std::int32_t>(result.blocker_ids[name.edge.element]);
+  if (name.vertex.of == EventOf::blocker) return static_cast<std::int32_t>(result.blocker_ids[name.vertex.element]);
+  return -1;
+}
+
+CellName cell_of(const DiscontinuityResult& result, std::uint32_t light_id, const EventName& name) {
+  CellName cell;
+  cell.light_id = static_cast<std::int32_t>(light_id);
+  cell.blocker_id = blocker_id(result, name);
+  cell.edge_index = static_cast<std::int32_t>(name.edge.index);
+  cell.vertex_index = name.kind == EventKind::vertex_edge ? static_cast<std::int32_t>(name.vertex.index) : -1;
+  if (name.kind != EventKind::border) cell.discontinuity_order = name.order;
+  return cell;
+}
+
+vtkSmartPointer<vtkPolyData> faces(const ReceiverResult& receiver, const std::vector<Point3>& points) {
+  vtkNew<vtkCellArray> cells;
+  std::vector<CellName> names;
+  for (const ReceiverTriangle& triangle : receiver.mesh.triangles()) {
+    insert_cell(*cells, triangle.vertices);
+    CellName cell;
+    cell.light_id = static_cast<std::int32_t>(receiver.light_id);
+    cell.facet_id = static_cast<std::int32_t>(triangle.face);
+    cell.region = static_cast<std::uint8_t>(receiver.mesh.faces()[triangle.face].region);
+    if (cell.region == 0) cell.visible_fraction = 1;
+    if (cell.region == 2 || cell.region == 3) cell.visible_fraction = 0;
+    names.push_back(cell);
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(vtk_points(points));
+  data->SetPolys(cells);
+  add_cell_arrays(*data, names);
+  add_fractions(*data, receiver.visible_fractions);
+  return data;
+}
+
+/// Of several events along an edge the one of lowest order names it.
+std::uint32_t leading_name(const ReceiverMesh& mesh, const MeshEdge& edge) {
+  return *std::min_element(edge.names.begin(), edge.names.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const auto key = [&](std::uint32_t n) {
+      return std::pair(mesh.names()[n].kind == EventKind::border, mesh.names()[n].order);
+    };
+    return key(a) < key(b);
+  });
+}
+
+vtkSmartPointer<vtkPolyData> edges(const DiscontinuityResult& result, const ReceiverResult& receiver,
+                                   const std::vector<Point3>& points, std::vector<std::string>& event_names) {
+  vtkNew<vtkCellArray> cells;
+  std::vector<CellName> names;
+  EventCells events;
+  for (const EventName& name : receiver.mesh.names()) {
+    event_names.push_back(event_text(result, receiver.light, receiver.receiver, name));
+  }
+  for (const MeshEdge& edge : receiver.mesh.edges()) {
+    insert_cell(*cells, std::array{edge.source, edge.target});
+    const std::uint32_t name = leading_name(receiver.mesh, edge);
+    names.push_back(cell_of(result, receiver.light_id, receiver.mesh.names()[name]));
+    events.of_cell.push_back(static_cast<std::int32_t>(name));
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(vtk_points(points));
+  data->SetLines(cells);
+  add_cell_arrays(*data, names);
+  add_event_array(*data, events);
+  add_fractions(*data, receiver.visible_fractions);
+  return data;
+}
+
+Fields basic_fields(const DiscontinuityResult& result) {
+  return leaf_fields(ShadowResult{result.scene, result.clip_box, {}}, false);
+}
+
+Fields receiver_fields(const DiscontinuityResult& result, const ReceiverResult& receiver) {
+  Fields fields = basic_fields(result);
+  fields.push_back({"light", std::vector<std::string>{receiver.light}});
+  fields.push_back({"receiver", std::vector<std::string>{receiver.receiver}});
+  const auto areas = receiver.mesh.areas();
+  for (std::size_t k = 0; k < areas.size(); ++k) {
+    const std::string region(name(static_cast<ReceiverRegion>(k)));
+    fields.push_back({region + "_area", std::vector<double>{areas[k].nearest}});
+    if (areas[k].exact) fields.push_back({region + "_area_exact", std::vector<std::string>{*areas[k].exact}});
+  }
+  return fields;
+}
+
+void append_receiver(std::vector<Block>& blocks, const DiscontinuityResult& result, const ReceiverResult& receiver) {
+  const std::vector<Point3> points = receiver.mesh.vertices();
+  const Fields fields = receiver_fields(result, receiver);
+  append_block(
+      blocks,
+      {{"receivers", receiver.light, receiver.receiver, "faces"}, "receiver_faces", fields, faces(receiver, points)});
+  std::vector<std::string> event_names;
+  auto lines = edges(result, receiver, points, event_names);
+  Fields edge_fields = fields;
+  edge_fields.push_back({"event_names", std::move(event_names)});
+  append_block(blocks,
+               {{"receivers", receiver.light, receiver.receiver, "edges"}, "receiver_edges", edge_fields, lines});
+}
+
+void append_surfaces(std::vector<Block>& blocks, const DiscontinuityResult& result, const SurfaceResult& light,
+                     int order) {
+  vtkNew<vtkCellArray> cells;
+  std::vector<CellName> names;
+  std::vector<Point3> points;
+  EventCells events;
+  for (const DiscontinuitySurface& surface : light.surfaces) {
+    if (surface.name.order != order) continue;
+    for (const auto& polygon : surface.polygons) {
+      std::vector<std::size_t> ids;
+      for (const Point3& p : polygon) {
+        ids.push_back(points.size());
+        points.push_back(p);
+      }
+      insert_cell(*cells, ids);
+      names.push_back(cell_of(result, light.light_id, surface.name));
+      events.of_cell.push_back(static_cast<std::int32_t>(events.names.size()));
+    }
+    events.names.push_back(event_text(result, light.light, "", surface.name));
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(vtk_points(points));
+  data->SetPolys(cells);
+  add_cell_arrays(*data, names);
+  add_event_array(*data, events);
+  Fields fields = basic_fields(result);
+  fields.push_back({"light", std::vector<std::string>{light.light}});
+  if (!events.names.empty()) fields.push_back({"event_names", events.names});
+  append_block(blocks,
+               {{"discontinuities", light.light, "d" + std::to_string(order)}, "discontinuities", fields, data});
+}
+
+}  // namespace
+
+std::vector<Block> discontinuity_blocks(const DiscontinuityResult& result) {
+  std::vector<Block> blocks;
+  append_scene_blocks(blocks, ShadowResult{result.scene, result.clip_box, {}});
+  for (const ReceiverResult& receiver : result.receivers) append_receiver(blocks, result, receiver);
+  for (const SurfaceResult& light : result.surfaces) {
+    for (const int order : {0, 1, 2}) append_surfaces(blocks, result, light, order);
+  }
+  return blocks;
+}
+
+}  // namespace gnomon::viz
+
+namespace gnomon {
+
+std::string element_text(const DiscontinuityResult& result, const std::string& light, const std::string& receiver,
+                         const EventElement& element) {
+  if (element.of == EventOf::light) return "light:" + light;
+  if (element.of == EventOf::receiver) return "receiver:" + receiver;
+  return "blocker:" + result.blockers[element.element];
+}
+
+}  // namespace gnomon

@@ -1,0 +1,54 @@
+#include "viz/discontinuity_writer.h"
+
+#include <algorithm>
+
+#include "geometry/errors.h"
+#include "viz/block_file.h"
+#include "viz/discontinuity_blocks.h"
+#include "viz/manifest.h"
+#include "viz/staged_folder.h"
+#include "viz/tree_file.h"
+#include "viz/view_script.h"
+
+namespace gnomon {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> write_discontinuities(const DiscontinuityResult& result, DiscontinuityOutput output,
+                                            const fs::path& directory, const std::vector<OutputFormat>& formats) {
+  if (result.scene == nullptr) throw PreconditionError("write_discontinuities: a result without a scene");
+  const std::string stem = output == DiscontinuityOutput::receivers ? "receivers" : "discontinuities";
+  const std::vector<viz::Block> blocks = viz::discontinuity_blocks(result);
+  viz::StagedFolder folder(directory);
+  viz::ManifestEntries entries;
+  std::vector<viz::TreeLeaf> leaves;
+  for (const viz::Block& block : blocks) {
+    entries.blocks.push_back({&block, {}});
+    if (block.empty()) continue;
+    entries.blocks.back().files.push_back(viz::block_file_name(block));
+    viz::write_data(*block.data, folder.add(entries.blocks.back().files.back()));
+    leaves.push_back({block.path, entries.blocks.back().files.back()});
+  }
+  const ShadowResult frame{result.scene, result.clip_box, {}};
+  for (const OutputFormat format : formats) {
+    const std::string file = stem + "." + std::string(name(format));
+    entries.roots.push_back(file);
+    const viz::Fields fields = viz::leaf_fields(frame, false);
+    folder.add_text(file, format == OutputFormat::vtpc ? viz::partitioned_xml(leaves, fields)
+                                                       : viz::multiblock_xml(leaves, fields));
+  }
+  folder.add_text("view.py", viz::view_script());
+  entries.files = folder.files();
+  folder.add_text("manifest.json", viz::manifest_text(frame, entries));
+  const std::vector<std::string> earlier = viz::earlier_files(directory);
+  folder.publish();
+  viz::remove_stale(directory, earlier, folder.files());
+
+  std::vector<fs::path> files(entries.roots.begin(), entries.roots.end());
+  for (const std::string& file : folder.files()) {
+    if (std::count(entries.roots.begin(), entries.roots.end(), file) == 0) files.emplace_back(file);
+  }
+  return files;
+}
+
+}  // namespace gnomon
