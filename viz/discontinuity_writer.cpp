@@ -7,6 +7,7 @@
 #include "viz/discontinuity_blocks.h"
 #include "viz/manifest.h"
 #include "viz/staged_folder.h"
+#include "viz/stale_files.h"
 #include "viz/tree_file.h"
 #include "viz/view_script.h"
 

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <stdexcept>
 
 #include "geometry/spatial/position.h"
@@ -118,14 +117,6 @@ Json parsed(const std::filesystem::path& file) {
   }
 }
 
-/// Only what can be a file of ours inside the folder: an earlier manifest is no reason to remove anything else.
-bool may_be_removed(const std::filesystem::path& file) {
-  if (file.is_absolute() || std::ranges::count(file, std::filesystem::path("..")) > 0) return false;
-  const std::string first = file.begin()->string();
-  return file == "view.py" || first.starts_with("shadow") || first.starts_with("receivers.vt") ||
-         first.starts_with("discontinuities.vt");
-}
-
 }  // namespace
 
 std::string manifest_text(const ShadowResult& result, const ManifestEntries& entries) {
@@ -167,21 +158,6 @@ std::vector<std::string> earlier_files(const std::filesystem::path& directory) {
     return parsed(directory / "manifest.json").at("files").get<std::vector<std::string>>();
   } catch (const std::exception&) {
     return {};
-  }
-}
-
-void remove_stale(const std::filesystem::path& directory, const std::vector<std::string>& earlier,
-                  const std::vector<std::string>& now) {
-  const std::set<std::string> kept(now.begin(), now.end());
-  std::error_code ignored;
-  for (const std::string& file : earlier) {
-    if (kept.contains(file) || !may_be_removed(file)) continue;
-    std::filesystem::remove(directory / file, ignored);
-    for (std::filesystem::path folder = std::filesystem::path(file).parent_path(); !folder.empty();
-         folder = folder.parent_path()) {
-      if (!std::filesystem::is_empty(directory / folder, ignored) || ignored) break;
-      std::filesystem::remove(directory / folder, ignored);
-    }
   }
 }
 

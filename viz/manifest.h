@@ -45,9 +45,4 @@ ListedResult read_manifest(const std::filesystem::path& directory);
 /// The files that an earlier result in the folder has written; none if there is no manifest that can be read.
 std::vector<std::string> earlier_files(const std::filesystem::path& directory);
 
-/// Removes those of the earlier files of a folder that are not among the present ones, and folders left empty by that.
-/// What an earlier manifest cannot have written is left alone.
-void remove_stale(const std::filesystem::path& directory, const std::vector<std::string>& earlier,
-                  const std::vector<std::string>& now);
-
 }  // namespace gnomon::viz

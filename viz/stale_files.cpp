@@ -11,7 +11,9 @@ namespace fs = std::filesystem;
 
 bool may_be_removed(const fs::path& file) {
   if (file.is_absolute() || std::ranges::count(file, fs::path("..")) > 0) return false;
-  return file == "view.py" || file.begin()->string().starts_with("shadow");
+  const std::string first = file.begin()->string();
+  return file == "view.py" || first.starts_with("shadow") || first.starts_with("receivers.vt") ||
+         first.starts_with("discontinuities.vt");
 }
 
 }  // namespace
