@@ -22,7 +22,7 @@ struct Words {
   std::string does;
 };
 
-Mutant planes(Words words, Keys caught_by, void (*break_them)(ExtremalPlanes&)) {
+Mutant planes(const Words& words, Keys caught_by, void (*break_them)(ExtremalPlanes&)) {
   Mutant mutant{words.name, words.does, Part::extremal_planes, {}, std::move(caught_by)};
   mutant.subject.extremal_planes = [=, original = mutant.subject.extremal_planes](const auto& light,
                                                                                   const auto& blocker) {
@@ -33,7 +33,7 @@ Mutant planes(Words words, Keys caught_by, void (*break_them)(ExtremalPlanes&)) 
   return mutant;
 }
 
-Mutant volumes(Words words, Keys caught_by, void (*break_them)(ShadowVolumes&)) {
+Mutant volumes(const Words& words, Keys caught_by, void (*break_them)(ShadowVolumes&)) {
   Mutant mutant{words.name, words.does, Part::shadow_volumes, {}, std::move(caught_by)};
   mutant.subject.shadow_volumes = [=, original = mutant.subject.shadow_volumes](const auto& light,
                                                                                 const auto& blocker) {
@@ -44,13 +44,13 @@ Mutant volumes(Words words, Keys caught_by, void (*break_them)(ShadowVolumes&)) 
   return mutant;
 }
 
-Mutant sight(Words words, Keys caught_by, Visibility (*broken)(const Light&, Obstacles, const Point3&)) {
+Mutant sight(const Words& words, Keys caught_by, Visibility (*broken)(const Light&, const Obstacles&, const Point3&)) {
   Mutant mutant{words.name, words.does, Part::visibility, {}, std::move(caught_by)};
   mutant.subject.visibility = broken;
   return mutant;
 }
 
-Mutant lines(Words words, Keys caught_by, void (*break_them)(Lines&)) {
+Mutant lines(const Words& words, Keys caught_by, void (*break_them)(Lines&)) {
   Mutant mutant{words.name, words.does, Part::planar_extremal_lines, {}, std::move(caught_by)};
   mutant.subject.planar_extremal_lines = [=](const planar::Pair& pair) {
     Lines found = planar::extremal_lines(pair);
@@ -60,7 +60,7 @@ Mutant lines(Words words, Keys caught_by, void (*break_them)(Lines&)) {
   return mutant;
 }
 
-Mutant regions(Words words, Keys caught_by, void (*break_them)(ShadowRegions&)) {
+Mutant regions(const Words& words, Keys caught_by, void (*break_them)(ShadowRegions&)) {
   Mutant mutant{words.name, words.does, Part::planar_regions, {}, std::move(caught_by)};
   mutant.subject.planar_regions = [=](const planar::Pair& pair) {
     ShadowRegions found = planar::shadow_regions(pair);
@@ -70,7 +70,7 @@ Mutant regions(Words words, Keys caught_by, void (*break_them)(ShadowRegions&)) 
   return mutant;
 }
 
-Mutant planar_sight(Words words, Keys caught_by,
+Mutant planar_sight(const Words& words, Keys caught_by,
                     planar::VisibleLight (*broken)(const planar::Flatland&, const Point2&)) {
   Mutant mutant{words.name, words.does, Part::planar_visible_light, {}, std::move(caught_by)};
   mutant.subject.planar_visible_light = broken;
@@ -187,7 +187,7 @@ std::vector<Mutant> volume_mutants() {
   };
 }
 
-Mutant hulls(Words words, Keys caught_by, ConvexVolume (*broken)(const Light&, const ConvexBlocker&)) {
+Mutant hulls(const Words& words, Keys caught_by, ConvexVolume (*broken)(const Light&, const ConvexBlocker&)) {
   Mutant mutant{words.name, words.does, Part::convex_hull_shadow_volume, {}, std::move(caught_by)};
   mutant.subject.convex_hull_shadow_volume = broken;
   return mutant;
@@ -218,20 +218,21 @@ Visibility changed(const Light& light, const Obstacles& obstacles, const Point3&
 std::vector<Mutant> sight_mutants() {
   return {
       sight({"skip_blocker", "the last blocker forgotten"}, {"M1", "M3", "F7"},
-            [](const Light& light, Obstacles obstacles, const Point3& p) {
-              obstacles.blockers.pop_back();
-              return exact_visibility(light, obstacles, p);
+            [](const Light& light, const Obstacles& obstacles, const Point3& p) {
+              Obstacles fewer = obstacles;
+              fewer.blockers.pop_back();
+              return exact_visibility(light, fewer, p);
             }),
       sight({"umbra_for_penumbra", "penumbra called umbra"}, {"M3", "F1"},
-            [](const Light& light, Obstacles obstacles, const Point3& p) {
+            [](const Light& light, const Obstacles& obstacles, const Point3& p) {
               return changed(light, obstacles, p, Region::penumbra, Region::umbra);
             }),
       sight({"penumbra_for_umbra", "umbra called penumbra"}, {"M2", "M3", "F1", "F6", "F7"},
-            [](const Light& light, Obstacles obstacles, const Point3& p) {
+            [](const Light& light, const Obstacles& obstacles, const Point3& p) {
               return changed(light, obstacles, p, Region::umbra, Region::penumbra);
             }),
       sight({"penumbra_for_light", "lit points called penumbra"}, {"M1", "M2", "F2"},
-            [](const Light& light, Obstacles obstacles, const Point3& p) {
+            [](const Light& light, const Obstacles& obstacles, const Point3& p) {
               return changed(light, obstacles, p, Region::lit, Region::penumbra);
             }),
   };

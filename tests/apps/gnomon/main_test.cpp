@@ -41,8 +41,9 @@ TEST_F(Program, NamesAnUnknownCommandAndTheNearestKnownOne) {
   const Outcome run = gnomon("shaddow --out there");
   EXPECT_EQ(run.code, 2);
   EXPECT_THAT(run.out, IsEmpty());
-  EXPECT_THAT(run.err, AllOf(HasSubstr("'shaddow'"), HasSubstr("nearest is 'shadow'"),
-                             HasSubstr("shadow, check, regions, grid, irradiance, render")));
+  EXPECT_THAT(run.err,
+              AllOf(HasSubstr("'shaddow'"), HasSubstr("nearest is 'shadow'"),
+                    HasSubstr("shadow, check, regions, grid, irradiance, discontinuities, receivers, render")));
 }
 
 TEST_F(Program, SaysThatADocumentedCommandIsNotAvailableYet) {
