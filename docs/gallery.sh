@@ -29,10 +29,13 @@ scene figure_4_24_b figure_4_24_b.png
 scene cornell_box cornell_box.png
 scene letter_block letter_block.png
 
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+"$gnomon" receivers "$examples/cornell_box.scene.json" --out "$work/receivers" --quiet
+"$gnomon" render "$work/receivers" --out "$folder/cornell_receivers.png" --size 960x720
+
 # Pictures by ParaView, where pvbatch and its Python modules are.
 if command -v pvbatch >/dev/null; then
-  work=$(mktemp -d)
-  trap 'rm -rf "$work"' EXIT
   cd "$work"
   floor="--box -5,-4,0,5,4,0.001 --shape 201,161,1 --quiet"
   "$gnomon" shadow "$examples/figure_4_22.scene.json" --box -5,-4,0,5,4,5 --out out --quiet
