@@ -169,6 +169,8 @@ bool is_blocked_towards(const Walls& blocker, const ExactVector& p, const ExactV
 Rational visible_length_share(const ExactVector& start, const ExactVector& end, const std::vector<Walls>& blockers,
                               const ExactVector& p) {
   std::vector<Rational> places = {0, 1};
+  // A point of the light does not hide itself: nowhere may it be the one place that is asked for a whole stretch.
+  const ExactVector along = end - start;
   const auto add = [&](const ExactPlane& plane) {
     const Rational at = plane.height(start);
     const Rational rise = plane.height(end) - at;
@@ -176,6 +178,7 @@ Rational visible_length_share(const ExactVector& start, const ExactVector& end, 
     const Rational zero = -at / rise;
     if (zero > 0 && zero < 1) places.push_back(zero);
   };
+  add({along, dot(along, p)});
   for (const Walls& blocker : blockers) {
     for (const ExactPlane& wall : blocker) add(wall);
     for (const ExactPlane& plane : planes_between(blocker, p)) add(plane);
@@ -184,7 +187,7 @@ Rational visible_length_share(const ExactVector& start, const ExactVector& end, 
   Rational visible = 0;
   for (std::size_t i = 1; i < places.size(); ++i) {
     if (places[i] == places[i - 1]) continue;
-    const ExactVector l = start + Rational((places[i - 1] + places[i]) / 2) * (end - start);
+    const ExactVector l = start + Rational((places[i - 1] + places[i]) / 2) * along;
     const bool blocked = std::ranges::any_of(blockers, [&](const Walls& b) { return is_blocked(b, p, l); });
     if (!blocked) visible += places[i] - places[i - 1];
   }

@@ -3,6 +3,7 @@
 #include "apps/laws/cone.h"
 #include "apps/laws/definition.h"
 #include "apps/laws/enumeration.h"
+#include "apps/laws/sight.h"
 #include "geometry/errors.h"
 
 namespace gnomon::laws {
@@ -77,6 +78,13 @@ TEST(VisibleFraction, IsOneOnTheBlockerAndForALightFlushWithIt) {
 TEST(VisibleFraction, CountsTheFarSideOfACrossedBlockerPlaneOnly) {
   const Light light = LinearLight{{0, 0, -1}, {0, 0, 3}};
   EXPECT_EQ(visible_fraction(light, table(1), at(1, 0, 0)), Rational(1, 2));
+}
+
+TEST(VisibleLengthShare, IsNothingForAPointOfTheLightInAFacet) {
+  // The point is halfway between the two walls that the light crosses.
+  const Walls box = walls(
+      ConvexSolid::hull_of({{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {2, 2, 0}, {0, 0, 2}, {2, 0, 2}, {0, 2, 2}, {2, 2, 2}}));
+  EXPECT_EQ(visible_length_share(at(1, 0, -2), at(1, 0, 4), {box}, at(1, 0, 1)), Rational(0));
 }
 
 TEST(SegmentMeets, IncludesEndsAndBoundary) {
