@@ -21,15 +21,17 @@ std::vector<HalfSpace> all_half_spaces(const Light& light, const ConvexBlocker& 
   return all;
 }
 
+/// All that a facet of this name may be. Diagonals of a rounded light bear no number, so several half-spaces may have
+/// one name.
 std::vector<NamedPlane> planes_of(const Light& light, const ConvexBlocker& blocker, const std::vector<HalfSpace>& all,
                                   const FacetName& name) {
   if (name.kind == FacetKind::clip_box) return {};
-  const auto own = std::find_if(all.begin(), all.end(), [&](const HalfSpace& h) { return h.name == name; });
-  if (own == all.end()) throw PreconditionError("a facet without a half-space");
   std::vector<NamedPlane> result;
   for (const HalfSpace& half_space : all) {
-    if (is_same_plane(*own, half_space)) result.push_back(named_plane(light, blocker, half_space));
+    const auto is_one = [&](const HalfSpace& own) { return own.name == name && is_same_plane(own, half_space); };
+    if (std::any_of(all.begin(), all.end(), is_one)) result.push_back(named_plane(light, blocker, half_space));
   }
+  if (result.empty()) throw PreconditionError("a facet without a half-space");
   sort(result);
   return result;
 }

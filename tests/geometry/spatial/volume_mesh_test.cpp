@@ -91,8 +91,8 @@ MeshCase draw_case(Domain domain) {
       const SpatialCase pair = *laws::spatial_cases(domain, laws::Lights::all);
       return MeshCase{pair.light, pair.blocker, draw_box(all_points(pair.light, pair.blocker))};
     }
-    const auto light = static_cast<laws::LightKind>(draw(0, 5));
-    const auto blocker = static_cast<laws::BlockerKind>(draw(0, 2));
+    const auto light = static_cast<laws::PairLightKind>(draw(0, 5));
+    const auto blocker = static_cast<laws::PairBlockerKind>(draw(0, 2));
     const laws::AnyPair pair = laws::draw_any_pair(domain, light, blocker, 0);
     return MeshCase{pair.light, pair.blocker, draw_box(all_points(pair.light, pair.blocker))};
   });
@@ -100,8 +100,8 @@ MeshCase draw_case(Domain domain) {
 
 MeshCase draw_solid_case(Domain domain) {
   return *rc::gen::exec([domain] {
-    const auto light = static_cast<laws::LightKind>(draw(0, 4));
-    const laws::AnyPair pair = laws::draw_any_pair(domain, light, laws::BlockerKind::solid, 0);
+    const auto light = static_cast<laws::PairLightKind>(draw(0, 4));
+    const laws::AnyPair pair = laws::draw_any_pair(domain, light, laws::PairBlockerKind::solid, 0);
     return MeshCase{pair.light, pair.blocker, draw_box(all_points(pair.light, pair.blocker))};
   });
 }
@@ -318,7 +318,8 @@ std::size_t pieces(const ExactSpace& space, const ExactSurface& surface) {
 /// all of space.
 void check_components() {
   MeshCase drawn = laws::once_in(2) ? draw_solid_case(Domain::random) : draw_case(Domain::random);
-  drawn.box = {{-0x1p40, -0x1p40, -0x1p40}, {0x1p40, 0x1p40, 0x1p40}};
+  // No bounded umbra ends so far away, however nearly parallel its planes are.
+  drawn.box = {{-0x1p200, -0x1p200, -0x1p200}, {0x1p200, 0x1p200, 0x1p200}};
   const ShadowVolumes facts = shadow_volumes(drawn.light, drawn.blocker);
   const CGAL::Protect_FPU_rounding<true> protection;
   const ExactVolumes volumes(drawn);
