@@ -255,15 +255,6 @@ class Drawing:
         self.step = 1e-3 * max(box[3] - box[0], box[4] - box[1])
         self.layer = 0
 
-    def tree(self, name, folder):
-        """All blocks of one folder at the root; None if there are none."""
-        if not any(b["path"][0] == folder and b["file"] for b in self.blocks):
-            return None
-        extract = simple.ExtractBlock(registrationName=name, Input=self.reader)
-        extract.Selectors = ["/Root/" + folder]
-        extract.UpdatePipeline()
-        return extract
-
     def show(self, source, color, line_width=4.0):
         if source is None:
             return None
