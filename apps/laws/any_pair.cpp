@@ -16,12 +16,6 @@ namespace {
 
 using Points = std::vector<Point3>;
 
-Point3 draw_vector(int reach) {
-  const double x = draw(-reach, reach);
-  const double y = draw(-reach, reach);
-  return {x, y, double(draw(-reach, reach))};
-}
-
 const Point3& draw_one(const Points& points) {
   return points[std::size_t(draw(0, int(points.size()) - 1))];
 }
@@ -109,28 +103,28 @@ ConvexSolid draw_solid(const Bend& bend) {
   return ConvexSolid::hull_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
 }
 
-Light draw_light(LightKind kind, const Bend& bend) {
+Light draw_light(PairLightKind kind, const Bend& bend) {
   switch (kind) {
-    case LightKind::point:
+    case PairLightKind::point:
       return PointLight{with_nudges(bend({draw_vector(4)}), bend.nudges)[0]};
-    case LightKind::direction: {
+    case PairLightKind::direction: {
       const Point3 direction = draw_vector(3);
       return DirectionalLight{direction == Point3{} ? Point3{0, 0, -1} : direction};
     }
-    case LightKind::segment: {
+    case PairLightKind::segment: {
       const Points ends = with_nudges(bend({draw_vector(4), draw_vector(4)}), bend.nudges);
       return ends[0] == ends[1] ? LinearLight{ends[0], moved(ends[0], 1, {1, 0, 0})} : LinearLight{ends[0], ends[1]};
     }
-    case LightKind::rounded_polygon:
+    case PairLightKind::rounded_polygon:
       return AreaLight{draw_rounded(bend), once_in(2)};
     default:
-      return AreaLight{draw_flat(bend), kind == LightKind::two_sided_polygon};
+      return AreaLight{draw_flat(bend), kind == PairLightKind::two_sided_polygon};
   }
 }
 
-ConvexBlocker draw_blocker(BlockerKind kind, const Bend& bend) {
-  if (kind == BlockerKind::solid) return draw_solid(bend);
-  if (kind == BlockerKind::rounded_polygon) return convex_blocker(draw_rounded(bend));
+ConvexBlocker draw_blocker(PairBlockerKind kind, const Bend& bend) {
+  if (kind == PairBlockerKind::solid) return draw_solid(bend);
+  if (kind == PairBlockerKind::rounded_polygon) return convex_blocker(draw_rounded(bend));
   return draw_flat(bend);
 }
 
@@ -198,7 +192,7 @@ void count_regions(const AnyPair& pair, Census& census) {
   census.add_point(exact_visibility(pair.light, {{pair.blocker}, {}}, pair.points.front()).region);
 }
 
-AnyPair draw_any_pair(Domain domain, LightKind light_kind, BlockerKind blocker_kind, int points) {
+AnyPair draw_any_pair(Domain domain, PairLightKind light_kind, PairBlockerKind blocker_kind, int points) {
   const Bend common = draw_bend(domain);
   const Bend of_light = once_in(3) ? draw_bend(domain) : common;
   AnyPair pair{draw_light(light_kind, of_light), draw_blocker(blocker_kind, common), {}};

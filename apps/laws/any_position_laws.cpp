@@ -258,8 +258,8 @@ void count_regions(const ConcaveCase& drawn, Census& census) {
 }
 
 AnyPair draw_ordinary_pair(Domain domain) {
-  const auto light = static_cast<LightKind>(draw(0, 4));
-  return draw_any_pair(domain, light, static_cast<BlockerKind>(draw(0, 2)), 1);
+  const auto light = static_cast<PairLightKind>(draw(0, 4));
+  return draw_any_pair(domain, light, static_cast<PairBlockerKind>(draw(0, 2)), 1);
 }
 
 rc::Gen<ConcaveCase> concave_cases(Domain domain) {
@@ -312,15 +312,15 @@ Verdict check_union_of_shadows(const ConcaveCase& drawn, const Subject& subject)
 /// Pairs of any kind; those of flat blockers only.
 rc::Gen<AnyPair> pairs(Domain domain) {
   return rc::gen::exec([=] {
-    const auto light = static_cast<LightKind>(draw(0, 5));
-    return draw_any_pair(domain, light, static_cast<BlockerKind>(draw(0, 2)), 1);
+    const auto light = static_cast<PairLightKind>(draw(0, 5));
+    return draw_any_pair(domain, light, static_cast<PairBlockerKind>(draw(0, 2)), 1);
   });
 }
 
 rc::Gen<AnyPair> flat_pairs(Domain domain) {
   return rc::gen::exec([=] {
-    const auto light = static_cast<LightKind>(draw(2, 4));
-    return draw_any_pair(domain, light, BlockerKind::flat_polygon, 1);
+    const auto light = static_cast<PairLightKind>(draw(2, 4));
+    return draw_any_pair(domain, light, PairBlockerKind::flat_polygon, 1);
   });
 }
 

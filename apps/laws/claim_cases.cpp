@@ -14,12 +14,6 @@ namespace {
 
 using Points = std::vector<Point3>;
 
-Point3 draw_vector(int reach) {
-  const double x = draw(-reach, reach);
-  const double y = draw(-reach, reach);
-  return {x, y, double(draw(-reach, reach))};
-}
-
 Point3 difference(const Point3& a, const Point3& b) {
   return moved(a, -1, b);
 }

@@ -6,6 +6,8 @@
 
 #include <rapidcheck.h>
 
+#include "geometry/point.h"
+
 namespace gnomon::laws {
 
 /// An integer from `least` to `most`, both included; shrinks toward the one nearest to zero.
@@ -18,6 +20,13 @@ inline int draw(int least, int most) {
 /// True once in `n` draws; shrinks toward false.
 inline bool once_in(int n) {
   return draw(0, n - 1) == n - 1;
+}
+
+/// A vector of integers from -reach to reach.
+inline Point3 draw_vector(int reach) {
+  const double x = draw(-reach, reach);
+  const double y = draw(-reach, reach);
+  return {x, y, double(draw(-reach, reach))};
 }
 
 }  // namespace gnomon::laws

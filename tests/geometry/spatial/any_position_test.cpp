@@ -26,14 +26,14 @@ namespace gnomon {
 namespace {
 
 using laws::AnyPair;
-using laws::BlockerKind;
 using laws::Domain;
-using laws::LightKind;
+using laws::PairBlockerKind;
+using laws::PairLightKind;
 
-void check_regions(Domain domain, LightKind light, BlockerKind blocker) {
+void check_regions(Domain domain, PairLightKind light, PairBlockerKind blocker) {
   const AnyPair pair = *rc::gen::exec([=] { return laws::draw_any_pair(domain, light, blocker, 4); });
   const ShadowVolumes volumes = shadow_volumes(pair.light, pair.blocker);
-  if (light != LightKind::direction) RC_TAG(std::string(name(pair_position(pair.light, pair.blocker))));
+  if (light != PairLightKind::direction) RC_TAG(std::string(name(pair_position(pair.light, pair.blocker))));
   const Obstacles obstacles{{pair.blocker}, {}};
   for (const Point3& p : pair.points) {
     if (is_on_blocker(pair.blocker, p)) continue;
@@ -47,43 +47,16 @@ void check_regions(Domain domain, LightKind light, BlockerKind blocker) {
   }
 }
 
-struct Kinds {
-  LightKind light;
-  BlockerKind blocker;
-  const char* name;
-};
-
-class AnyPositionAgreement : public testing::TestWithParam<Kinds> {};
+class AnyPositionAgreement : public testing::TestWithParam<laws::PairKinds> {};
 
 TEST_P(AnyPositionAgreement, VolumesSayOfEveryPointWhatTheDefinitionSays) {
-  const Kinds kinds = GetParam();
+  const laws::PairKinds kinds = GetParam();
   EXPECT_TRUE(rc::check("random", [=] { check_regions(Domain::random, kinds.light, kinds.blocker); }));
   EXPECT_TRUE(
       rc::check("nearly degenerate", [=] { check_regions(Domain::near_degenerate, kinds.light, kinds.blocker); }));
 }
 
-constexpr Kinds all_kinds[] = {
-    {LightKind::point, BlockerKind::flat_polygon, "PointFlat"},
-    {LightKind::point, BlockerKind::solid, "PointSolid"},
-    {LightKind::point, BlockerKind::rounded_polygon, "PointRounded"},
-    {LightKind::direction, BlockerKind::flat_polygon, "DirectionFlat"},
-    {LightKind::direction, BlockerKind::solid, "DirectionSolid"},
-    {LightKind::direction, BlockerKind::rounded_polygon, "DirectionRounded"},
-    {LightKind::segment, BlockerKind::flat_polygon, "SegmentFlat"},
-    {LightKind::segment, BlockerKind::solid, "SegmentSolid"},
-    {LightKind::segment, BlockerKind::rounded_polygon, "SegmentRounded"},
-    {LightKind::one_sided_polygon, BlockerKind::flat_polygon, "PolygonFlat"},
-    {LightKind::one_sided_polygon, BlockerKind::solid, "PolygonSolid"},
-    {LightKind::one_sided_polygon, BlockerKind::rounded_polygon, "PolygonRounded"},
-    {LightKind::two_sided_polygon, BlockerKind::flat_polygon, "TwoSidedFlat"},
-    {LightKind::two_sided_polygon, BlockerKind::solid, "TwoSidedSolid"},
-    {LightKind::two_sided_polygon, BlockerKind::rounded_polygon, "TwoSidedRounded"},
-    {LightKind::rounded_polygon, BlockerKind::flat_polygon, "RoundedFlat"},
-    {LightKind::rounded_polygon, BlockerKind::solid, "RoundedSolid"},
-    {LightKind::rounded_polygon, BlockerKind::rounded_polygon, "RoundedRounded"},
-};
-
-INSTANTIATE_TEST_SUITE_P(Kinds, AnyPositionAgreement, testing::ValuesIn(all_kinds),
+INSTANTIATE_TEST_SUITE_P(Kinds, AnyPositionAgreement, testing::ValuesIn(laws::all_pair_kinds),
                          [](const auto& kinds) { return std::string(kinds.param.name); });
 
 }  // namespace

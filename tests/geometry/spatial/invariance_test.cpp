@@ -27,10 +27,11 @@
 namespace gnomon {
 namespace {
 
-using laws::BlockerKind;
 using laws::Domain;
 using laws::draw;
-using laws::LightKind;
+using laws::PairBlockerKind;
+using laws::PairLightKind;
+using Kinds = laws::PairKinds;
 using Points = std::vector<Point3>;
 using Map = std::function<Point3(const Point3&)>;
 
@@ -197,12 +198,6 @@ ShadowMeshes meshes_of(const Case& drawn) {
   return shadow_meshes(drawn.light, drawn.blocker, drawn.box, {.penumbra = true, .cells = false, .planes = false});
 }
 
-struct Kinds {
-  LightKind light;
-  BlockerKind blocker;
-  const char* name;
-};
-
 /// A pair and a box about its blocker, whose sides may go through vertices.
 Case draw_case(Domain domain, const Kinds& kinds) {
   return *rc::gen::exec([=] {
@@ -356,28 +351,7 @@ TEST_P(SpatialInvariance, EqualInputsCanBeExchanged) {
   }));
 }
 
-constexpr Kinds all_kinds[] = {
-    {LightKind::point, BlockerKind::flat_polygon, "PointFlat"},
-    {LightKind::point, BlockerKind::solid, "PointSolid"},
-    {LightKind::point, BlockerKind::rounded_polygon, "PointRounded"},
-    {LightKind::direction, BlockerKind::flat_polygon, "DirectionFlat"},
-    {LightKind::direction, BlockerKind::solid, "DirectionSolid"},
-    {LightKind::direction, BlockerKind::rounded_polygon, "DirectionRounded"},
-    {LightKind::segment, BlockerKind::flat_polygon, "SegmentFlat"},
-    {LightKind::segment, BlockerKind::solid, "SegmentSolid"},
-    {LightKind::segment, BlockerKind::rounded_polygon, "SegmentRounded"},
-    {LightKind::one_sided_polygon, BlockerKind::flat_polygon, "PolygonFlat"},
-    {LightKind::one_sided_polygon, BlockerKind::solid, "PolygonSolid"},
-    {LightKind::one_sided_polygon, BlockerKind::rounded_polygon, "PolygonRounded"},
-    {LightKind::two_sided_polygon, BlockerKind::flat_polygon, "TwoSidedFlat"},
-    {LightKind::two_sided_polygon, BlockerKind::solid, "TwoSidedSolid"},
-    {LightKind::two_sided_polygon, BlockerKind::rounded_polygon, "TwoSidedRounded"},
-    {LightKind::rounded_polygon, BlockerKind::flat_polygon, "RoundedFlat"},
-    {LightKind::rounded_polygon, BlockerKind::solid, "RoundedSolid"},
-    {LightKind::rounded_polygon, BlockerKind::rounded_polygon, "RoundedRounded"},
-};
-
-INSTANTIATE_TEST_SUITE_P(Kinds, SpatialInvariance, testing::ValuesIn(all_kinds),
+INSTANTIATE_TEST_SUITE_P(Kinds, SpatialInvariance, testing::ValuesIn(laws::all_pair_kinds),
                          [](const auto& kinds) { return std::string(kinds.param.name); });
 
 }  // namespace

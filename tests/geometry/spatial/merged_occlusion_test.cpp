@@ -62,8 +62,8 @@ Box3 draw_box(const std::vector<Point3>& points) {
 /// part but the first is a triangle between vertices of the first one and a few more points, half of them in its plane.
 MergeCase draw_case(Domain domain) {
   return *rc::gen::exec([domain] {
-    const auto light = static_cast<laws::LightKind>(draw(0, 4));
-    const auto blocker = static_cast<laws::BlockerKind>(draw(0, 1));
+    const auto light = static_cast<laws::PairLightKind>(draw(0, 4));
+    const auto blocker = static_cast<laws::PairBlockerKind>(draw(0, 1));
     const laws::AnyPair pair = laws::draw_any_pair(domain, light, blocker, 0);
     MergeCase result{pair.light, {pair.blocker}, {}};
     std::vector<Point3> pool = points_of(pair.blocker);
