@@ -123,7 +123,7 @@ TEST(ShadowWriter, LeavesTheEarlierResultWhenItFails) {
   const std::string before = file_text(folder / "shadow/volumes/lamp/table/umbra.vtp");
   SampleResult other;
   remove_umbra(other.result());
-  for (const rlim_t bytes : {0, 500, 5000}) {
+  for (const rlim_t bytes : {rlim_t{0}, rlim_t{500}, rlim_t{5000}}) {
     const FullDisk full(bytes);
     EXPECT_THROW(write_shadow(other.result(), folder.path()), std::runtime_error);
   }

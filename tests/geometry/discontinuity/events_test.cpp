@@ -190,7 +190,9 @@ std::optional<Structure> structure_at(FastVisibility& sight, const Point3& p) {
   const auto seen = sight.seen_from(p);
   if (!seen) return std::nullopt;
   Structure structure;
-  for (const BoundaryPiece& piece : seen->boundary) structure.insert({piece.blocker ? *piece.blocker : -1, piece.edge});
+  for (const BoundaryPiece& piece : seen->boundary) {
+    structure.insert({piece.blocker ? std::int64_t{*piece.blocker} : -1, piece.edge});
+  }
   return structure;
 }
 
