@@ -130,8 +130,7 @@ void ArcSum::add_crossing(const Vector& a, const Vector& b, const BoundaryPiece&
 void ArcSum::add(const BoundaryPiece& piece) {
   const Vector a = vector(piece.start);
   const Vector b = vector(piece.end);
-  const double inverse = 1.01 / std::sqrt(dot(a, a) * dot(b, b));
-  const double ends_error = (piece.start.error * length_above(b) + piece.end.error * length_above(a)) * inverse;
+  const double ends_error = 1.01 * (piece.start.error / length(a) + piece.end.error / length(b));
   const bool a_above = horizon_.height(a) >= 0;
   const bool b_above = horizon_.height(b) >= 0;
   if (!(ends_error < 0.01)) error_ = HUGE_VAL;

@@ -11,6 +11,7 @@
 #include "apps/gnomon/command_line.h"
 #include "apps/gnomon/commands.h"
 #include "apps/gnomon/console.h"
+#include "apps/keep_memory.h"
 #include "geometry/scene/scene_reader.h"
 
 namespace gnomon {
@@ -110,6 +111,7 @@ ExitCode misuse(const Arguments words, std::string_view message) {
 
 int main(int argc, char** argv) {
   using namespace gnomon;
+  keep_freed_memory();
   prepare_streams();
   ExitCode code = ExitCode::done;
   std::vector<std::string> words;

@@ -72,10 +72,9 @@ ExactSpace::ExactSpace(const HalfSpace& downward_half_space) {
 }
 
 PlaneId ExactSpace::add(const PlaneDefinition& definition) {
-  Plane plane;
-  plane.approximate = coefficients<Interval>(definition);
+  Plane& plane = planes_.emplace_back();
   plane.definition = definition;
-  planes_.push_back(plane);
+  plane.approximate = coefficients<Interval>(definition);
   return static_cast<PlaneId>(planes_.size() - 1);
 }
 
@@ -114,13 +113,12 @@ PlaneId ExactSpace::add_reversed(PlaneId plane) {
 }
 
 VertexId ExactSpace::add_input(const InputVertex& input) {
-  Vertex vertex;
+  Vertex& vertex = vertices_.emplace_back();
   vertex.definition.input = static_cast<std::uint32_t>(inputs_.size());
   vertex.definition.direction = input.kind != InputVertex::Kind::point;
   if (input.kind == InputVertex::Kind::difference) vertex.definition.line = vertex.definition.input;
   vertex.approximate = input_coordinates<Interval>(input);
   inputs_.push_back(input);
-  vertices_.push_back(vertex);
   return static_cast<VertexId>(vertices_.size() - 1);
 }
 
@@ -245,13 +243,18 @@ Interval ExactSpace::height(PlaneId plane, const Point3& point, int scale) const
   return enclosing(height);
 }
 
+/// The value of a plane at a point.
+Interval ExactSpace::approximate_height(const Plane& plane, const Quadruple<Interval>& point) {
+  const PlaneDefinition& p = plane.definition;
+  if (p.kind != Kind::axis) return value(plane.approximate, point);
+  const Interval beyond = point[p.axis] - p.bound * point[3];
+  return p.sign > 0 ? beyond : -beyond;
+}
+
 int ExactSpace::side(PlaneId plane, VertexId vertex) const {
-  if (planes_[plane].reverse_of) return -side(*planes_[plane].reverse_of, vertex);
   const Plane& p = planes_[plane];
-  const Quadruple<Interval>& v = vertices_[vertex].approximate;
-  const Interval height = p.definition.kind == Kind::axis
-                              ? Interval(p.definition.sign) * (v[p.definition.axis] - p.definition.bound * v[3])
-                              : value(p.approximate, v);
+  if (p.reverse_of) return -side(*p.reverse_of, vertex);
+  const Interval height = approximate_height(p, vertices_[vertex].approximate);
   if (const std::optional<int> sign = certain_sign(height)) return *sign;
   if (goes_through(plane, vertex)) return 0;
   const auto [entry, is_new] = exact_sides_.try_emplace(std::uint64_t{plane} << 32 | vertex, 0);

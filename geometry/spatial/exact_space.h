@@ -139,6 +139,7 @@ class ExactSpace {
     Quadruple<Interval> approximate{Interval(0), Interval(0), Interval(0), Interval(0)};
   };
 
+  static Interval approximate_height(const Plane& plane, const Quadruple<Interval>& point);
   PlaneId add(const PlaneDefinition& definition);
   VertexId add_input(const InputVertex& input);
   VertexId add_constructed(const VertexDefinition& definition);

@@ -6,7 +6,8 @@
 // products involved (products and sums lose at most u S each, low words are at most u times high ones), and there are
 // fewer than 16 additions and products of low words, each rounded: an error of less than 256 u^2 S. Products of two low
 // words, which are left out, are less than 2 u^2 S. So 2^-97 S = 512 u^2 S covers all of it, and the rounding of S and
-// of the bounds themselves. 2^-1060 is more than what sixteen underflows lose.
+// of the bounds themselves. 2^-900 is more than what sixteen underflows lose, and so large that no product of bounds
+// is a subnormal number, with which processors are slow.
 
 namespace gnomon {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 using Triple = std::array<double, 3>;
 
 constexpr double rounding = 0x1p-97;
-constexpr double underflow = 0x1p-1060;
+constexpr double underflow = 0x1p-900;
 
 struct Number {
   DoubleWord word;
@@ -95,11 +96,16 @@ double normal_defect(const PlaneWords& plane) {
 
 PlaneWords plane_words(const PlaneDefinition& plane) {
   using enum PlaneDefinition::Kind;
-  if (plane.kind == PlaneDefinition::Kind::axis) return axis_plane(plane);
-  if (plane.kind == points || plane.kind == points_direction) return point_plane(plane);
-  PlaneWords unknown;
-  unknown.offset_error = HUGE_VAL;
-  return unknown;
+  PlaneWords words;
+  if (plane.kind == PlaneDefinition::Kind::axis) {
+    words = axis_plane(plane);
+  } else if (plane.kind == points || plane.kind == points_direction) {
+    words = point_plane(plane);
+  } else {
+    words.offset_error = HUGE_VAL;
+  }
+  words.normal_defect = normal_defect(words);
+  return words;
 }
 
 CommonPoint::CommonPoint(const PlaneWords& a, const PlaneWords& b, const PlaneWords& c) : planes_{&a, &b, &c} {
@@ -110,7 +116,7 @@ CommonPoint::CommonPoint(const PlaneWords& a, const PlaneWords& b, const PlaneWo
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) inverse_[i][j] = columns[j][i] * factor;
   }
-  const Triple normal_defects = {normal_defect(a), normal_defect(b), normal_defect(c)};
+  const Triple normal_defects = {a.normal_defect, b.normal_defect, c.normal_defect};
   for (std::size_t i = 0; i < 3; ++i) {
     const Triple& row = inverse_[i];
     double sum = 0;

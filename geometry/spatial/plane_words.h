@@ -15,6 +15,7 @@ struct PlaneWords {
   std::array<double, 3> normal_error{};
   DoubleWord offset;
   double offset_error = 0;
+  double normal_defect = 0;  ///< how far rounding and low words take the product of the normal and a vector of ones
 };
 
 /// Bounds: see the source. Of planes that are not given by points or an axis the bound is infinite.
@@ -23,8 +24,7 @@ PlaneWords plane_words(const PlaneDefinition& plane);
 /// Finds the point that three planes have in common.
 ///
 /// Definition: an approximate inverse M of the matrix N of the normals takes an approximate point x, of which the
-/// planes
-///             tell the exact heights r, to x - M r. Whatever M is, the common point is x + d with
+///             planes tell the exact heights r, to x - M r. Whatever M is, the common point is x + d with
 ///             d = -M r + (I - M N) d; so |I - M N| bounds the error.
 /// After:      Newton's method with a certificate, as in verified linear systems.
 class CommonPoint {

@@ -68,8 +68,8 @@ SightDirection directed(const Plane& plane, bool reversed) {
 }
 
 /// A blocker's edge is walked with the blocker on its left; the visible part is on the other side.
-BoundaryPiece boundary_piece(const Piece& piece) {
-  BoundaryPiece result;
+void append_piece(std::vector<BoundaryPiece>& boundary, const Piece& piece) {
+  BoundaryPiece& result = boundary.emplace_back();
   const SightDirection from = direction_of(piece.edge, piece.stretch.from);
   const SightDirection to = direction_of(piece.edge, piece.stretch.to);
   if (!piece.of_light) result.blocker = piece.outline->element;
@@ -77,7 +77,6 @@ BoundaryPiece boundary_piece(const Piece& piece) {
   result.start = piece.of_light ? from : to;
   result.end = piece.of_light ? to : from;
   result.normal = directed(*piece.edge.plane, !piece.of_light);
-  return result;
 }
 
 Edge edge_of(const Outlines& outlines, const Outline& outline, std::uint32_t k) {
@@ -195,8 +194,12 @@ LightSeen FastVisibility::Work::wholly_visible() {
   boundary_.resize(light.count);
   for (std::uint32_t k = 0; k < light.count; ++k) {
     const Edge edge = edge_of(outlines_, light, k);
-    boundary_[k] = {std::nullopt, edge.plane->name, direction_of(*edge.start), direction_of(*edge.end),
-                    directed(*edge.plane, false)};
+    BoundaryPiece& piece = boundary_[k];
+    piece.blocker.reset();
+    piece.edge = edge.plane->name;
+    piece.start = direction_of(*edge.start);
+    piece.end = direction_of(*edge.end);
+    piece.normal = directed(*edge.plane, false);
   }
   return bounded(Region::lit, 1, 0);
 }
@@ -222,7 +225,7 @@ std::optional<LightSeen> FastVisibility::Work::seen_from(const Point3& point) {
   if (gathered == Gathered::covered) return LightSeen{Region::umbra, 0, 0, {}, {}};
   if (outlines_.list.size() == 1) return wholly_visible();
   walk(point);
-  for (const Piece& piece : visible_) boundary_.push_back(boundary_piece(piece));
+  for (const Piece& piece : visible_) append_piece(boundary_, piece);
   if (inside_.empty()) return bounded(Region::lit, 1, 0);
   if (visible_.empty()) return LightSeen{Region::umbra, 0, 0, {}, {}};
   return visible_part();

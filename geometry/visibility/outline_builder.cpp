@@ -105,7 +105,7 @@ void OutlineBuilder::append_planes(std::span<const std::uint32_t> names, bool re
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t next = k + 1 == count ? 0 : k + 1;
     const std::size_t original = !reversed ? k : next == 0 ? count - 1 : count - 1 - next;
-    outlines_.planes.push_back(plane_through(rays[k], rays[next], names[original]));
+    set_plane(outlines_.planes.emplace_back(), rays[k], rays[next], names[original]);
   }
 }
 

@@ -79,8 +79,9 @@ inline Ray ray_through(const Point3& apex, const Point3& point) {
 
 /// Bound. With an error of e per coordinate of the normal, dot() errs by 3 e s from the normal, by u from the ray's
 /// coordinates and 3 u from rounding, each times three products of at most n s.
-inline Plane plane_through(const Ray& from, const Ray& to, std::uint32_t name) {
-  Plane plane;
+///
+/// The plane is made in its place: copied, it would be read before its parts are written.
+inline void set_plane(Plane& plane, const Ray& from, const Ray& to, std::uint32_t name) {
   const Vector edge = *to.point - *from.point;
   plane.normal = cross(from.direction, edge);
   plane.error = 8.6 * unit * from.size * size_of(edge) + tiny;
@@ -89,6 +90,11 @@ inline Plane plane_through(const Ray& from, const Ray& to, std::uint32_t name) {
   plane.from = from.point;
   plane.to = to.point;
   plane.name = name;
+}
+
+inline Plane plane_through(const Ray& from, const Ray& to, std::uint32_t name) {
+  Plane plane;
+  set_plane(plane, from, to, name);
   return plane;
 }
 

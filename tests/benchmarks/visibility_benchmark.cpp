@@ -1,5 +1,6 @@
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numeric>
@@ -10,6 +11,7 @@
 #include "geometry/visibility/fast_visibility.h"
 #include "shading/lambert.h"
 #include "tests/benchmarks/embree_sampling.h"
+#include "tests/benchmarks/memory.h"
 #include "tests/benchmarks/ratios.h"
 #include "tests/benchmarks/triangle_scenes.h"
 
@@ -108,6 +110,25 @@ void visibility_lambert_quad(benchmark::State& state) {
   for (auto unused : state) benchmark::DoNotOptimize(lambert_irradiance(*seen, up, 1));
 }
 
+/// From blockers as they are to the first answer. The counters tell the heap's memory that hierarchy and blockers take,
+/// and the peak of the process, which holds nothing else if this benchmark runs alone.
+void visibility_set_up(benchmark::State& state) {
+  double held = 0;
+  double peak = 0;
+  for (auto unused : state) {
+    reset_peak();
+    const double before = megabytes_in_use();
+    const TriangleScene scene = triangle_scene(blockers(state));
+    FastVisibility visibility(scene.light, BlockerSet(scene.blockers));
+    benchmark::DoNotOptimize(visibility.seen_from(scene.points.front()));
+    held = std::max(held, megabytes_in_use() - before);
+    peak = std::max(peak, peak_megabytes());
+  }
+  state.counters["held_MB"] = held;
+  state.counters["peak_MB"] = peak;
+}
+
+BENCHMARK(visibility_set_up)->Arg(100000)->Unit(benchmark::kMillisecond);
 BENCHMARK(visibility_fast)->RangeMultiplier(4)->Range(1, 1024);
 BENCHMARK(visibility_embree)->Arg(1)->Arg(64)->Arg(1024);
 BENCHMARK(visibility_lambert_quad);
