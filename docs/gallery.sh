@@ -23,16 +23,22 @@ scene figure_4_19 figure_4_19.png
 scene figure_4_20_one_penumbra figure_4_20.png
 scene figure_4_21 figure_4_21.png
 "$gnomon" render "$examples/figure_4_22.scene.json" --out "$folder/figure_4_22.png"
-scene figure_4_23 figure_4_23.png --box -4,-4,-0.5,5,4,4.5
-scene figure_4_24_a figure_4_24_a.png
-scene figure_4_24_b figure_4_24_b.png
 scene cornell_box cornell_box.png
 scene letter_block letter_block.png
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-"$gnomon" receivers "$examples/cornell_box.scene.json" --out "$work/receivers" --quiet
-"$gnomon" render "$work/receivers" --out "$folder/cornell_receivers.png" --size 960x720
+
+# divided SCENE PICTURE: the receivers of a scene with their regions and the lines of each order.
+divided() {
+  "$gnomon" receivers "$examples/$1.scene.json" --out "$work/$1" --quiet
+  "$gnomon" render "$work/$1" --out "$folder/$2" --size 960x720
+}
+
+divided figure_4_23 figure_4_23.png
+divided figure_4_24_a figure_4_24_a.png
+divided figure_4_24_b figure_4_24_b.png
+divided cornell_box cornell_receivers.png
 
 # Pictures by ParaView, where pvbatch and its Python modules are.
 if command -v pvbatch >/dev/null; then
