@@ -50,6 +50,8 @@ if command -v pvbatch >/dev/null; then
   # shellcheck disable=SC2086
   "$gnomon" grid "$examples/two_lamps.scene.json" $floor --out two.vti
   xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" pvbatch "$OLDPWD/paraview_pictures.py" "$folder"
+  xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" pvbatch figure_4_24_a/view.py \
+    --screenshot "$folder/paraview_receivers.png"
 else
   echo "gallery: pvbatch (Debian package paraview) is not installed; the pictures by ParaView stay as they are"
 fi

@@ -63,6 +63,7 @@ Fields result_fields(const ShadowResult& result) {
                          std::ranges::any_of(result.planar_pairs, is_truncated_in_plane);
   Fields fields = leaf_fields(result, unbounded);
   PairLists lists = pair_lists(result);
+  if (lists.lights.empty()) return fields;
   fields.push_back({"pair_lights", std::move(lists.lights)});
   fields.push_back({"pair_blockers", std::move(lists.blockers)});
   const std::string names[] = {"occlusion", "umbra", "penumbra"};

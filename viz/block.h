@@ -23,7 +23,7 @@ struct Block {
 };
 
 /// What is known of a result as a whole: producer, version, scene, length_unit, unbounded, clip_box, and the exact
-/// volumes (areas in the plane) of every supported pair, one entry per pair.
+/// volumes (areas in the plane) of every supported pair, one entry per pair, if there is one.
 Fields result_fields(const ShadowResult& result);
 
 /// What every leaf says of the result it belongs to: the first fields of result_fields, with its own `unbounded`.

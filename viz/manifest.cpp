@@ -1,5 +1,8 @@
 #include "viz/manifest.h"
 
+#include <vtkCellData.h>
+
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -84,6 +87,18 @@ Json merged_json(const std::vector<MergedResult>& merged) {
   return json;
 }
 
+/// The names of a block's cell arrays beyond those that every block has.
+std::vector<std::string> more_cell_arrays(const Block& block) {
+  vtkCellData& arrays = *block.data->GetCellData();
+  std::vector<std::string> names;
+  for (int i = 0; i < arrays.GetNumberOfArrays(); ++i) {
+    const std::string name = arrays.GetArrayName(i);
+    const auto same = [&](const CellArray& array) { return array.name == name; };
+    if (std::ranges::none_of(cell_arrays(), same)) names.push_back(name);
+  }
+  return names;
+}
+
 Json block_json(const WrittenBlock& written) {
   const Block& block = *written.block;
   Json json = {{"path", block.path},
@@ -96,6 +111,7 @@ Json block_json(const WrittenBlock& written) {
                {"files", written.files},
                {"field_data", fields_json(block.fields)}};
   if (!written.files.empty()) json["file"] = written.files.front();
+  if (const auto names = more_cell_arrays(block); !names.empty()) json["more_cell_arrays"] = names;
   return json;
 }
 

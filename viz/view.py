@@ -90,12 +90,16 @@ class Result:
         extract.UpdatePipeline()
         return extract
 
-    def tree(self, name, folder):
-        """All blocks of one folder at the root; None if there are none."""
-        if not any(b["path"][0] == folder and b["file"] for b in self.blocks):
-            return None
-        extract = simple.ExtractBlock(registrationName=name, Input=self.reader)
-        extract.Selectors = ["/Root/" + folder]
+    def lights_of(self, kind):
+        """The lights, in order, that have blocks of a kind."""
+        return list(dict.fromkeys(b["path"][1] for b in self.blocks if b["kind"] == kind and b["file"]))
+
+    def of_light(self, light, kind):
+        """All blocks of one kind and light."""
+        paths = ["/".join(b["path"]) for b in self.blocks
+                 if b["kind"] == kind and b["file"] and b["path"][1] == light]
+        extract = simple.ExtractBlock(registrationName=f"{kind.replace('_', ' ')} of {light}", Input=self.reader)
+        extract.Selectors = ["/Root/" + path for path in paths]
         extract.UpdatePipeline()
         return extract
 
@@ -198,25 +202,40 @@ def new_view():
     return view
 
 
-def show_legend(view, table):
+def show_legend(view, table, title="region", place="Lower Right Corner"):
     bar = simple.GetScalarBar(table, view)
-    bar.Title = "region"
+    bar.Title = title
+    bar.WindowLocation = place
     bar.ComponentTitle = ""
     bar.TitleColor = EDGE
     bar.LabelColor = EDGE
     bar.Visibility = 1
 
 
+def show_by_order(result, name, source, opacity):
+    """Surfaces or edges by the order of their discontinuity; a receiver's border has none and is left out."""
+    events = simple.Threshold(registrationName=name + " by order", Input=source)
+    events.Scalars = ["CELLS", "discontinuity_order"]
+    events.LowerThreshold = 0
+    events.UpperThreshold = 2
+    simple.ColorBy(result.show(events, EDGE, opacity), ("CELLS", "discontinuity_order"))
+    return events
+
+
 def show_divisions(result):
-    """Discontinuities by their order, divided receivers by their regions. Returns whether regions are shown."""
-    surfaces = result.tree("discontinuities", "discontinuities")
-    if surfaces is not None:
-        simple.ColorBy(result.show(surfaces, EDGE, 0.5), ("CELLS", "discontinuity_order"))
-        category_colors("discontinuity_order", ORDERS)
-    divided = result.tree("divided receivers", "receivers")
-    if divided is not None:
-        simple.ColorBy(result.show(divided, EDGE), ("CELLS", "region"))
-    return divided is not None
+    """Discontinuities by their order, divided receivers by their regions: those of the first light, for what lights
+    make of one receiver lies in one place. The others are there to be switched on."""
+    order = category_colors("discontinuity_order", ORDERS)
+    for kind, opacity in (("discontinuities", 0.5), ("receiver_faces", 1.0), ("receiver_edges", 1.0)):
+        for i, light in enumerate(result.lights_of(kind)):
+            source = result.of_light(light, kind)
+            if kind == "receiver_faces":
+                simple.ColorBy(result.show(source, EDGE), ("CELLS", "region"))
+            else:
+                source = show_by_order(result, f"{kind} of {light}", source, opacity)
+                show_legend(result.view, order, "order", "Upper Right Corner")
+            if i > 0:
+                simple.Hide(source, result.view)
 
 
 def show_space(result):
@@ -225,12 +244,16 @@ def show_space(result):
     blockers = result.part("blockers", "blocker")
     result.show(lights, LIGHT, edges=True)
     result.show(blockers, BLOCKER, edges=True)
-    result.show(result.part("receivers", "receiver"), RECEIVER, edges=True)
+    divided = bool(result.lights_of("receiver_faces"))
+    receivers = result.part("receivers", "receiver")
+    result.show(receivers, RECEIVER, edges=True)
+    if divided:
+        simple.Hide(receivers, result.view)  # the faces lie on them
     # Blocker faces lie on the blockers, a penumbra's supporting planes on the umbra.
     umbrae = show_volume(result, "umbra", 0.55, (0,))
     penumbrae = show_volume(result, "penumbra", 0.3, (0, 3))
 
-    divided = show_divisions(result)
+    show_divisions(result)
 
     # There to be switched on.
     for hidden in (result.part("occlusion volumes", "volume", "occlusion"),
