@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iostream>
 #include <map>
 #include <optional>
 #include <span>
@@ -178,6 +179,38 @@ TEST(FastVisibilityAgreement, SixtyFourTrianglesMatchSplitting) {
   }));
 }
 
+ConvexPolygon rectangle(double x0, double x1, double y0, double y1, double z) {
+  return ConvexPolygon::from_points({{x0, y0, z}, {x0, y1, z}, {x1, y1, z}, {x1, y0, z}});
+}
+
+/// A triangle of random size below `radius`, turned any way, about a point above [-1,1]^2 between heights 1 and 3.
+ConvexBlocker random_triangle(Dice& dice, double radius) {
+  const auto real = [&] { return dice.draw(-1'000'000, 1'000'000) / 1e6; };
+  return drawn_until([&] {
+    const Point3 m{real(), real(), 2 + real()};
+    const auto near = [&] { return Point3{m.x + radius * real(), m.y + radius * real(), m.z + radius * real()}; };
+    return polygon_of({near(), near(), near()});
+  });
+}
+
+TEST(FastVisibilityFallback, LeavesFewerThanOneRandomPointInTenThousandToTheExactLevel) {
+  int asked = 0;
+  int left = 0;
+  for (std::uint32_t seed = 0; seed < 40; ++seed) {
+    Dice dice(seed);
+    const int count = 1 << (seed % 4 * 2);
+    std::vector<ConvexBlocker> blockers;
+    for (int i = 0; i < count; ++i) blockers.push_back(random_triangle(dice, 0.9 / std::sqrt(count) + 0.02));
+    FastVisibility fast({rectangle(-0.5, 0.5, -0.5, 0.5, 4)}, BlockerSet(blockers));
+    for (int i = 0; i < 1000; ++i, ++asked) {
+      const double x = dice.draw(-1'000'000, 1'000'000) / 1e6;
+      left += fast.seen_from({x, dice.draw(-1'000'000, 1'000'000) / 1e6, 0}) ? 0 : 1;
+    }
+  }
+  std::cout << left << " of " << asked << " points left to the exact level\n";
+  EXPECT_LT(left * 10'000, asked);
+}
+
 /// A closed surface of triangles around the light: the octahedron, each face cut into n * n triangles, every vertex
 /// drawn out to its own distance. Neighbours share their vertices exactly.
 std::vector<ConvexBlocker> draw_shell(Dice& dice, int n) {
@@ -263,10 +296,6 @@ RC_GTEST_PROP(FastVisibilityProperty, ShadowsUniteAndUmbraeComeFromUmbraeOrTwoPe
     RC_ASSERT(umbra == 0 || together == Region::umbra);
     RC_ASSERT(together != Region::umbra || umbra > 0 || penumbra > 1);
   }
-}
-
-ConvexPolygon rectangle(double x0, double x1, double y0, double y1, double z) {
-  return ConvexPolygon::from_points({{x0, y0, z}, {x0, y1, z}, {x1, y1, z}, {x1, y0, z}});
 }
 
 LightSeen seen_behind(const AreaLight& light, const std::vector<ConvexBlocker>& blockers, const Point3& p) {
