@@ -1,13 +1,7 @@
 # gnomon_test(NAME LABEL label [CASES n] SOURCES file... LIBRARIES target...): one test executable and its CTest entries.
-# RapidCheck draws from a fixed seed, which it prints; GNOMON_LONG_TESTS draws more.
+# RapidCheck draws n cases (200) from a fixed seed, which it prints; with GNOMON_LONG_TESTS ten times n, at least 5,000.
 # Tests labelled `unit` need neither a display nor ParaView; the target `unit_tests` builds them all.
 include(GoogleTest)
-
-if(GNOMON_LONG_TESTS)
-  set(GNOMON_CASES 5000)
-else()
-  set(GNOMON_CASES 200)
-endif()
 
 if(NOT TARGET unit_tests)
   add_custom_target(unit_tests)
@@ -15,9 +9,15 @@ endif()
 
 function(gnomon_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "LABEL;CASES" "SOURCES;LIBRARIES")
-  set(cases ${GNOMON_CASES})
-  if(arg_CASES GREATER cases)
+  set(cases 200)
+  if(arg_CASES)
     set(cases ${arg_CASES})
+  endif()
+  if(GNOMON_LONG_TESTS)
+    math(EXPR cases "10 * ${cases}")
+    if(cases LESS 5000)
+      set(cases 5000)
+    endif()
   endif()
   add_executable(${name} ${arg_SOURCES})
   gnomon_target(${name})
