@@ -118,10 +118,10 @@ Gathered FastVisibility::Work::gather(const Point3& apex, bool reversed) {
 /// The parts of the outline's edges inside the light; they are what makes it hide something.
 void FastVisibility::Work::append_stretches_inside(BoundaryWalk& walk, const Outline& outline) {
   for (std::uint32_t k = 0; k < outline.count; ++k) {
-    Piece piece{edge_of(outlines_, outline, k), {}, &outline, false};
-    if (walk.stretch_inside(piece.edge, outlines_.list.front(), Alongside::nothing, piece.stretch)) {
-      inside_.push_back(piece);
-    }
+    Piece& piece = inside_.emplace_back();
+    piece.edge = edge_of(outlines_, outline, k);
+    piece.outline = &outline;
+    if (!walk.stretch_inside(piece.edge, outlines_.list.front(), Alongside::nothing, piece.stretch)) inside_.pop_back();
   }
 }
 
