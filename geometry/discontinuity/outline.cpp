@@ -25,20 +25,6 @@ bool belong_together(const Outline& p, const Outline& q) {
                      [&](ShapeId s) { return std::find(q.shapes.begin(), q.shapes.end(), s) != q.shapes.end(); });
 }
 
-bool lie_apart_in_a_plane(const Outline& p, const Outline& q) {
-  const auto known = certain_sign(dot(cross(p.b.near - p.a.near, q.a.near - p.a.near), q.b.near - p.a.near));
-  if (known && *known != 0) return false;
-  const ExactVector along = p.b.exact - p.a.exact, other = q.b.exact - q.a.exact, between = q.a.exact - p.a.exact;
-  const ExactVector normal = cross(along, other);
-  if (is_zero(normal)) return true;
-  if (dot(normal, between) != 0) return false;
-  // Sides of the ends of each in the plane.
-  const int start = dot(cross(along, between), normal).sign(), end = dot(cross(along, between + other), normal).sign();
-  const int first = dot(cross(other, between), normal).sign();
-  const int last = dot(cross(other, between - along), normal).sign();
-  return start * end >= 0 || first * last >= 0;
-}
-
 std::vector<Outline> outlines(const EventScene& scene, std::span<const ShapeId> shapes) {
   const auto place = [&](PointId id) {
     const EventPoint& p = scene.points[id];

@@ -50,10 +50,6 @@ int side(const Outline& edge, const Place& p, const Place& x);
 /// True of two edges of the light, or of one blocker: what they leave open never shrinks to where they cross.
 bool belong_together(const Outline& p, const Outline& q);
 
-/// True of two edges in one plane that do not meet inside of both: they cross as seen from no point off the plane.
-/// Exactness: intervals first, then rationals.
-bool lie_apart_in_a_plane(const Outline& p, const Outline& q);
-
 /// The edges of the light, its own ones first, and those of some shapes.
 std::vector<Outline> outlines(const EventScene& scene, std::span<const ShapeId> shapes);
 

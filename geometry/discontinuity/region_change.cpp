@@ -195,8 +195,7 @@ class ChangeSearch {
     for (std::uint32_t x = 0; x < n; ++x) {
       for (std::uint32_t y = x + 1; y < n; ++y) {
         const std::uint32_t i = near[x], j = near[y];
-        if (belong_together(edges_[i], edges_[j]) || test.crossing(i, j) == Crossing::never) continue;
-        if (!lie_apart_in_a_plane(edges_[i], edges_[j])) crossed[i].push_back(j);
+        if (!belong_together(edges_[i], edges_[j]) && test.crossing(i, j) != Crossing::never) crossed[i].push_back(j);
       }
     }
     std::vector<Triple> triples;
