@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -48,6 +49,7 @@ struct Shape {
   std::vector<std::vector<PointId>> facets;  ///< of a solid: loops, counterclockwise seen from outside
   bool is_in_front = true;                   ///< some corner lies strictly in front of the light's plane, ...
   bool is_behind = false;                    ///< ... some strictly behind
+  std::optional<ShapeId> backing{};          ///< of a receiver: the solid on its back whose facet it is
 };
 
 /// A blocker's vertex.

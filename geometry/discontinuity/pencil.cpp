@@ -166,7 +166,9 @@ std::array<ExactReal, 3> Pencil::exact(NodeId id) const {
 
 bool Pencil::is_known_zero(const Function& function, const Node& node) const {
   const auto holds = [&](PointId p) {
-    return std::find(function.plane.begin(), function.plane.end(), p) != function.plane.end();
+    const auto& [a, b, c] = function.plane;
+    if (p == a || p == b || p == c) return true;
+    return certain_sign(bracket<Interval>(points_[a], points_[b], points_[c], points_[p])) == 0;
   };
   return node.kind == Node::Kind::point ? holds(node.first)
                                         : node.kind == Node::Kind::crossing && holds(node.first) && holds(node.second);
@@ -220,6 +222,10 @@ bool Pencil::clip(std::vector<NodeId>& polygon, FunctionId function, int sense) 
     cut.x = at_p * q.x + at_q * p.x;
     cut.y = at_p * q.y + at_q * p.y;
     cut.z = at_p * q.z + at_q * p.z;
+    // Known exactly, so that cuts on one line through the apex are known to lie on one line.
+    if (function == x) cut.x = 0;
+    if (function == y) cut.y = 0;
+    if (function == z) cut.z = 0;
     kept.push_back(add(cut));
   }
   polygon.swap(kept);

@@ -139,6 +139,7 @@ QuickSight::QuickSight(const EventScene& scene, const VertexShadows& shadows, st
   const auto& c = receiver_.corners;
   for (const LightVertex& v : scene.light_vertices) {
     const int s = orientation(scene.points[c[0]], scene.points[c[1]], scene.points[c[2]], scene.points[v.point]);
+    light_sides_.push_back(s);
     light_in_front_ = light_in_front_ && s > 0;
     light_behind_ = light_behind_ && s < 0;
   }
@@ -160,6 +161,13 @@ bool QuickSight::hides_nothing(ShapeId s) {
     known_[s] = apart ? 2 : 1;
   }
   return known_[s] == 2;
+}
+
+VertexShadows::Answer QuickSight::ask(std::uint32_t l, ShapeId shape, const PointEnclosure& p) const {
+  using enum VertexShadows::Answer;
+  if (shape != receiver_.backing) return shadows_.ask(l, shape, p);
+  // What lies behind the facet is hidden by the solid, what lies before it is not.
+  return light_sides_[l] < 0 ? hidden : light_sides_[l] > 0 ? seen : unknown;
 }
 
 int QuickSight::side(const PointEnclosure& p, PointId a, PointId b, PointId c) const {
@@ -195,15 +203,68 @@ bool QuickSight::is_beside_light(const Shape& shape, const PointEnclosure& p) co
                      [&](const ShapeEdge& e) { return parts(e.a, e.b, shape.corners, light); });
 }
 
-/// A corner lies strictly inside the pyramid between the point and the light, on whose side `before` the point lies.
-bool QuickSight::is_in_light(const Shape& shape, const PointEnclosure& p, int before) const {
-  return std::any_of(shape.corners.begin(), shape.corners.end(), [&](PointId v) {
-    // Seen from the point the light's edges run around what lies in its direction one way, and around what lies in the
-    // opposite direction the other way.
-    return scene_.light_side(v) == before &&
-           std::all_of(scene_.light_edges.begin(), scene_.light_edges.end(),
-                       [&](const LightEdge& e) { return side(p, e.a, e.b, v) == -before; });
+/// A point lies strictly inside the pyramid between p and the light, on whose side `before` p lies.
+bool QuickSight::is_in_light(PointId v, const PointEnclosure& p, int before) const {
+  // Seen from p the light's edges run around what lies in its direction one way, and around what lies in the opposite
+  // direction the other way.
+  return scene_.light_side(v) == before &&
+         std::all_of(scene_.light_edges.begin(), scene_.light_edges.end(),
+                     [&](const LightEdge& e) { return side(p, e.a, e.b, v) == -before; });
+}
+
+namespace {
+
+/// The side of the plane through p and an edge on which all other corners of its shape lie; 0 if there is none.
+template <class Side>
+int side_of_shape(const Shape& shape, const ShapeEdge& e, const Side& side) {
+  int inside = 0;
+  for (const PointId q : shape.corners) {
+    if (q == e.a || q == e.b) continue;
+    const int s = side(e, q);
+    if (s == 0 || s == -inside) return 0;
+    inside = s;
+  }
+  return inside;
+}
+
+}  // namespace
+
+/// The line from p through v passes beside the shape.
+bool QuickSight::leaves_open(const Shape& shape, const PointEnclosure& p, PointId v) const {
+  if (receiver_.backing && &shape == &scene_.shapes[*receiver_.backing]) {
+    const auto& c = receiver_.corners;
+    return orientation(scene_.points[c[0]], scene_.points[c[1]], scene_.points[c[2]], scene_.points[v]) > 0;
+  }
+  const auto side_at = [&](const ShapeEdge& e, PointId q) { return side(p, e.a, e.b, q); };
+  return std::any_of(shape.edges.begin(), shape.edges.end(), [&](const ShapeEdge& e) {
+    const int at_v = side_at(e, v);
+    return at_v != 0 && side_of_shape(shape, e, side_at) == -at_v;
   });
+}
+
+/// The shape lies on one side of an edge at its corner v, as seen from p.
+bool QuickSight::is_on_outline(const Shape& shape, const PointEnclosure& p, PointId v) const {
+  const auto side_at = [&](const ShapeEdge& e, PointId q) { return side(p, e.a, e.b, q); };
+  return std::any_of(shape.edges.begin(), shape.edges.end(), [&](const ShapeEdge& e) {
+    return (e.a == v || e.b == v) && side_of_shape(shape, e, side_at) != 0;
+  });
+}
+
+/// A blocker's vertex is seen before the light, hidden and open parts of the light around it.
+bool QuickSight::shows_vertex(const PointEnclosure& p, std::span<const ShapeId> near, int before) {
+  for (const ShapeId s : near) {
+    if (hides_nothing(s)) continue;
+    const Shape& shape = scene_.shapes[s];
+    for (const PointId v : shape.corners) {
+      if (!is_in_light(v, p, before) || !is_on_outline(shape, p, v)) continue;
+      if (std::all_of(near.begin(), near.end(), [&](ShapeId other) {
+            return other == s || hides_nothing(other) || leaves_open(scene_.shapes[other], p, v);
+          })) {
+        return true;
+      }
+    }
+  }
+  return false;
 }
 
 std::optional<QuickAnswer> QuickSight::region(const PointEnclosure& p, std::span<const ShapeId> near) {
@@ -214,6 +275,7 @@ std::optional<QuickAnswer> QuickSight::region(const PointEnclosure& p, std::span
     if (before == 0) return std::nullopt;
     if (before < 0 && !scene_.is_two_sided) return QuickAnswer{Region::unlit, true, {}};
   }
+  if (light_behind_ && receiver_.backing) return QuickAnswer{Region::umbra, true, {}};
   const std::size_t n = scene_.light_vertices.size();
   std::vector<ShapeId> cover;
   bool any_hidden = false, any_seen = false, all_known = true;
@@ -221,7 +283,7 @@ std::optional<QuickAnswer> QuickSight::region(const PointEnclosure& p, std::span
     bool hidden = false, seen = true;
     for (const ShapeId s : near) {
       if (hides_nothing(s)) continue;
-      const VertexShadows::Answer answer = shadows_.ask(l, s, p);
+      const VertexShadows::Answer answer = ask(l, s, p);
       if (answer == VertexShadows::Answer::hidden) {
         hidden = true;
         cover.push_back(s);
@@ -234,22 +296,30 @@ std::optional<QuickAnswer> QuickSight::region(const PointEnclosure& p, std::span
     all_known = all_known && (hidden || seen);
   }
   if (any_hidden && any_seen) return QuickAnswer{Region::penumbra, true, {}};
-  if (!all_known) return std::nullopt;
+  const auto penumbra_or_unknown = [&]() -> std::optional<QuickAnswer> {
+    if (before == 0 || !shows_vertex(p, near, before)) return std::nullopt;
+    return QuickAnswer{Region::penumbra, true, {}};
+  };
+  if (!all_known) return penumbra_or_unknown();
   if (any_hidden) {
     for (const ShapeId s : cover) {
       bool hides_all = true;
       for (std::uint32_t l = 0; hides_all && l < n; ++l) {
-        hides_all = shadows_.ask(l, s, p) == VertexShadows::Answer::hidden;
+        hides_all = ask(l, s, p) == VertexShadows::Answer::hidden;
       }
       if (hides_all) return QuickAnswer{Region::umbra, false, s};
     }
-    return std::nullopt;
+    return penumbra_or_unknown();
   }
   bool all_beside = true;
   for (const ShapeId s : near) {
     if (hides_nothing(s) || is_beside_light(scene_.shapes[s], p)) continue;
     all_beside = false;
-    if (before != 0 && is_in_light(scene_.shapes[s], p, before)) return QuickAnswer{Region::penumbra, true, {}};
+    const std::vector<PointId>& corners = scene_.shapes[s].corners;
+    if (before != 0 &&
+        std::any_of(corners.begin(), corners.end(), [&](PointId v) { return is_in_light(v, p, before); })) {
+      return QuickAnswer{Region::penumbra, true, {}};
+    }
   }
   if (all_beside) return QuickAnswer{Region::lit, true, {}};
   return std::nullopt;

@@ -17,7 +17,7 @@ namespace gnomon::event {
 /// What is known of a point's region.
 struct QuickAnswer {
   Region region = Region::lit;
-  bool is_certain_of_face = false;  ///< a vertex of the light is seen, or everything: no triple-edge event ends that
+  bool is_certain_of_face = false;  ///< a vertex is seen before the light, or all of it: no triple-edge event ends that
   std::optional<ShapeId> cover;     ///< umbra: a blocker that hides all of the light
 };
 
@@ -69,13 +69,18 @@ class QuickSight {
 
  private:
   bool hides_nothing(ShapeId shape);
+  VertexShadows::Answer ask(std::uint32_t light_vertex, ShapeId shape, const PointEnclosure& p) const;
   bool is_beside_light(const Shape& shape, const PointEnclosure& p) const;
-  bool is_in_light(const Shape& shape, const PointEnclosure& p, int before) const;
+  bool is_in_light(PointId v, const PointEnclosure& p, int before) const;
+  bool leaves_open(const Shape& shape, const PointEnclosure& p, PointId v) const;
+  bool is_on_outline(const Shape& shape, const PointEnclosure& p, PointId v) const;
+  bool shows_vertex(const PointEnclosure& p, std::span<const ShapeId> near, int before);
   int side(const PointEnclosure& p, PointId a, PointId b, PointId c) const;
 
   const EventScene& scene_;
   const VertexShadows& shadows_;
   const Shape& receiver_;
+  std::vector<int> light_sides_;  ///< of the receiver's plane, for each light vertex
   bool light_in_front_ = true;
   bool light_behind_ = true;
   std::vector<std::int8_t> known_;  ///< of each shape: 0 not yet, 1 may hide something, 2 hides nothing

@@ -7,7 +7,11 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
+#include <utility>
+
+#include "geometry/discontinuity/event_point.h"
 
 namespace gnomon::event {
 namespace {
@@ -59,10 +63,51 @@ class Shot {
   std::optional<Number> least_;
 };
 
+double middle(const Interval& x) {
+  return x.inf() / 2 + x.sup() / 2;
+}
+
+/// The same roughly, from doubles.
+class RoughShot {
+ public:
+  RoughShot(const FlatEnclosure& p, const FlatEnclosure& q)
+      : x_((middle(p.x) + middle(q.x)) / 2),
+        y_((middle(p.y) + middle(q.y)) / 2),
+        along_x_(middle(p.y) - middle(q.y)),
+        along_y_(middle(q.x) - middle(p.x)) {}
+
+  void meet(const FlatEnclosure& p, const FlatEnclosure& q) {
+    const double px = middle(p.x) - x_, py = middle(p.y) - y_, qx = middle(q.x) - x_, qy = middle(q.y) - y_;
+    const double at_p = along_x_ * py - along_y_ * px, at_q = along_x_ * qy - along_y_ * qx;
+    if ((at_p < 0) == (at_q < 0)) return;
+    const double s = (px * qy - py * qx) / (at_q - at_p);
+    if (s > 0) least_ = std::min(least_, s);
+  }
+
+  FlatEnclosure half_way() const {
+    return {Interval(x_ + least_ / 2 * along_x_), Interval(y_ + least_ / 2 * along_y_)};
+  }
+
+ private:
+  double x_, y_, along_x_, along_y_;
+  double least_ = std::numeric_limits<double>::infinity();
+};
+
+/// How often a directed edge winds around p, as it crosses the ray from p along x; nothing where intervals do not tell.
+std::optional<int> winding(const FlatEnclosure& p, const FlatEnclosure& s, const FlatEnclosure& t) {
+  const auto at_s = certain_sign(s.y - p.y), at_t = certain_sign(t.y - p.y);
+  if (!at_s || !at_t || *at_s == 0 || *at_t == 0) return std::nullopt;
+  if (*at_s == *at_t) return 0;
+  const auto turn = certain_sign((t.x - s.x) * (p.y - s.y) - (t.y - s.y) * (p.x - s.x));
+  if (!turn || *turn == 0) return std::nullopt;
+  return *turn == *at_t ? *at_t : 0;
+}
+
 }  // namespace
 
 struct ReceiverArrangement::Points {
   std::vector<Point> list;
+  std::vector<FlatEnclosure> near;
 };
 
 struct ReceiverArrangement::Inside {
@@ -85,6 +130,7 @@ ReceiverArrangement::ReceiverArrangement(std::span<const FlatSegment> segments) 
   for (auto v = arrangement.vertices_begin(); v != arrangement.vertices_end(); ++v) {
     v->set_data(static_cast<std::uint32_t>(points_->list.size()));
     points_->list.push_back(v->point());
+    points_->near.push_back(enclosure_of(v->point()));
   }
   std::uint32_t count = 0;
   for (auto f = arrangement.faces_begin(); f != arrangement.faces_end(); ++f) {
@@ -137,11 +183,41 @@ ReceiverArrangement::Inside ReceiverArrangement::inside(std::uint32_t face) cons
   return {shot.half_way()};
 }
 
+/// A point of doubles that certainly lies inside.
+std::optional<FlatEnclosure> ReceiverArrangement::rounded_inside(std::uint32_t face) const {
+  const CGAL::Protect_FPU_rounding<true> upward;
+  const auto ends = [&](EdgeUse use) {
+    const Edge& edge = edges_[use / 2];
+    const FlatEnclosure &p = points_->near[edge.source], &q = points_->near[edge.target];
+    return use % 2 == 0 ? std::pair(p, q) : std::pair(q, p);
+  };
+  const EdgeUse own = faces_[face].cycles[0][0];
+  RoughShot shot(ends(own).first, ends(own).second);
+  for (const auto& cycle : faces_[face].cycles) {
+    for (const EdgeUse use : cycle) {
+      if (use != own) shot.meet(ends(use).first, ends(use).second);
+    }
+  }
+  const FlatEnclosure point = shot.half_way();
+  int sum = 0;
+  for (const auto& cycle : faces_[face].cycles) {
+    for (const EdgeUse use : cycle) {
+      const auto part = winding(point, ends(use).first, ends(use).second);
+      if (!part) return std::nullopt;
+      sum += *part;
+    }
+  }
+  if (sum != 1) return std::nullopt;
+  return point;
+}
+
 FlatPoint ReceiverArrangement::inner_point(std::uint32_t face) const {
+  if (const auto rounded = rounded_inside(face)) return {Rational(rounded->x.inf()), Rational(rounded->y.inf())};
   return exact_point(inside(face).point);
 }
 
 FlatEnclosure ReceiverArrangement::near_inner_point(std::uint32_t face) const {
+  if (const auto rounded = rounded_inside(face)) return *rounded;
   return enclosure_of(inside(face).point);
 }
 
@@ -150,7 +226,7 @@ FlatPoint ReceiverArrangement::point(std::uint32_t vertex) const {
 }
 
 FlatEnclosure ReceiverArrangement::near_point(std::uint32_t vertex) const {
-  return enclosure_of(points_->list[vertex]);
+  return points_->near[vertex];
 }
 
 }  // namespace gnomon::event

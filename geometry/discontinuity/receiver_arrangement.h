@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -68,7 +69,7 @@ class ReceiverArrangement {
   FlatPoint point(std::uint32_t vertex) const;
   FlatEnclosure near_point(std::uint32_t vertex) const;
 
-  /// A point inside a face: always the same.
+  /// A point inside a face: always the same, of doubles where intervals tell that one lies inside.
   FlatPoint inner_point(std::uint32_t face) const;
   FlatEnclosure near_inner_point(std::uint32_t face) const;
 
@@ -76,6 +77,7 @@ class ReceiverArrangement {
   struct Points;
   struct Inside;
   Inside inside(std::uint32_t face) const;
+  std::optional<FlatEnclosure> rounded_inside(std::uint32_t face) const;
 
   std::unique_ptr<Points> points_;
   std::vector<Edge> edges_;

@@ -124,7 +124,8 @@ class FaceLabels {
   ReceiverRegion region(std::uint32_t f) {
     if (const auto quick = quick_region(f)) return *quick;
     const ExactVector inside = data_.plane.spatial(data_.arrangement.inner_point(f));
-    const event::FaceRegion found = sight_.region_of_face(inside, vertices_of(data_, data_.faces[f]));
+    const event::FaceRegion found = sight_.region_of_face(inside, vertices_of(data_, data_.faces[f]),
+                                                          [&] { return face_pieces(data_, data_.faces[f]); });
     return found.is_certain ? static_cast<ReceiverRegion>(found.region) : ReceiverRegion::unresolved_eee;
   }
 

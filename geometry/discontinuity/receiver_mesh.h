@@ -24,7 +24,7 @@ enum class ReceiverRegion : std::uint8_t {
   penumbra = 1,
   umbra = 2,
   unlit = 3,
-  unresolved_eee = 4,  ///< triple-edge events may cross the face: penumbra and umbra could both occur in it
+  unresolved_eee = 4,  ///< three edges in line may close the last gap in the face: penumbra and umbra could both occur
 };
 
 inline constexpr std::size_t receiver_region_count = 5;

@@ -5,6 +5,7 @@
 #include "geometry/discontinuity/receiver_arrangement.h"
 #include "geometry/discontinuity/receiver_mesh.h"
 #include "geometry/discontinuity/receiver_plane.h"
+#include "geometry/discontinuity/region_change.h"
 
 namespace gnomon {
 
@@ -20,5 +21,8 @@ struct ReceiverMesh::Data {
 
 /// Twice the area of faces seen along the axis that the receiver's plane drops.
 Rational doubled_flat_area(const ReceiverMesh::Data& data, std::span<const std::vector<MeshEdgeUse>> cycles);
+
+/// A face as triangles between its vertices. Exactness: exact.
+std::vector<event::FacePiece> face_pieces(const ReceiverMesh::Data& data, const MeshFace& face);
 
 }  // namespace gnomon

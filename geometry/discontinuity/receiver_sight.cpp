@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "geometry/discontinuity/shaft.h"
-#include "geometry/discontinuity/triple_edges.h"
 #include "geometry/rounding.h"
 
 namespace gnomon::event {
@@ -103,14 +102,15 @@ bool ReceiverSight::is_hidden_by_one(std::span<const ExactVector> face) const {
   });
 }
 
-FaceRegion ReceiverSight::region_of_face(const ExactVector& inside, std::span<const ExactVector> vertices) {
+FaceRegion ReceiverSight::region_of_face(const ExactVector& inside, std::span<const ExactVector> vertices,
+                                         const std::function<std::vector<FacePiece>()>& pieces) {
   const VisiblePart part = visible_from(inside);
   const bool may_change = part.region == Region::penumbra || part.region == Region::umbra;
   if (!may_change || scene_.kind == LightKind::point || scene_.kind == LightKind::direction) return {part.region, true};
   if (part.region == Region::penumbra && shows_vertex(part, inside)) return {part.region, true};
   collect_in_shaft(vertices);
   if (part.region == Region::umbra && is_hidden_by_one(vertices)) return {part.region, true};
-  return {part.region, !may_have_triple_edges(scene_, near_, vertices)};
+  return {part.region, !region_may_change(scene_, near_, pieces())};
 }
 
 }  // namespace gnomon::event

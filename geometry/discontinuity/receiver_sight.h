@@ -2,11 +2,13 @@
 
 /// What the points of receivers see of the light. Private to this folder.
 
+#include <functional>
 #include <span>
 #include <vector>
 
 #include "geometry/discontinuity/event_scene.h"
 #include "geometry/discontinuity/receiver_plane.h"
+#include "geometry/discontinuity/region_change.h"
 #include "geometry/visibility/hidden_set.h"
 #include "geometry/visibility/visible_part.h"
 
@@ -31,12 +33,13 @@ class ReceiverSight {
   /// What a point sees.
   VisiblePart visible_from(const ExactVector& p);
 
-  /// The region of a face that no traced event crosses, given a point inside and its vertices.
+  /// The region of a face that no traced event crosses, given a point inside, its vertices and a way to cut it up.
   ///
   /// Definition: it is certain if the same is seen from each of its points up to triple-edge events, and one of these
   ///             holds: region lit or unlit; a vertex of the light or a blocker is seen; one blocker hides all of the
-  ///             light from all of the face; no three edges can be in line with a point of the face and the light.
-  FaceRegion region_of_face(const ExactVector& inside, std::span<const ExactVector> vertices);
+  ///             light from all of the face; region_may_change denies it.
+  FaceRegion region_of_face(const ExactVector& inside, std::span<const ExactVector> vertices,
+                            const std::function<std::vector<FacePiece>()>& pieces);
 
  private:
   void collect_near(const ExactVector& p);

@@ -3,6 +3,7 @@
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <map>
+#include <set>
 #include <utility>
 
 #include "geometry/discontinuity/receiver_mesh_data.h"
@@ -44,6 +45,71 @@ void spread(Triangulation::Face_handle first, std::uint32_t face,
 }
 
 }  // namespace
+
+namespace {
+
+/// The triangulation of a face's hull, with the face's edges.
+class FaceTriangulation {
+ public:
+  FaceTriangulation(const ReceiverMesh::Data& data, const MeshFace& face) : data_(data) {
+    for (const auto& cycle : face.cycles) {
+      for (const MeshEdgeUse use : cycle) insert(data.edges[use / 2].source), insert(data.edges[use / 2].target);
+    }
+    for (const auto& cycle : face.cycles) {
+      for (const MeshEdgeUse use : cycle) add(data.edges[use / 2], use % 2 == 0);
+    }
+  }
+
+  std::vector<event::FacePiece> pieces() {
+    std::map<Triangulation::Face_handle, std::uint32_t> inside;
+    for (auto t = triangulation_.finite_faces_begin(); t != triangulation_.finite_faces_end(); ++t) {
+      for (int i = 0; i < 3; ++i) {
+        const std::pair side{t->vertex(Triangulation::ccw(i))->info(), t->vertex(Triangulation::cw(i))->info()};
+        if (sides_.contains(side)) spread(t, 0, inside);
+      }
+    }
+    std::vector<event::FacePiece> result;
+    for (const auto& [triangle, face] : inside) result.push_back(piece(triangle));
+    return result;
+  }
+
+ private:
+  void insert(std::uint32_t v) {
+    const auto [found, is_new] = handles_.try_emplace(v);
+    if (!is_new) return;
+    const event::FlatPoint p = data_.point(v);
+    found->second = triangulation_.insert(Kernel::Point_2(Kernel::FT(p.x), Kernel::FT(p.y)));
+    found->second->info() = v;
+  }
+
+  void add(const MeshEdge& edge, bool forward) {
+    const auto [from, to] = forward ? std::pair(edge.source, edge.target) : std::pair(edge.target, edge.source);
+    // An edge inside of the face is met twice.
+    if (!sides_.contains({to, from})) triangulation_.insert_constraint(handles_.at(from), handles_.at(to));
+    sides_.insert({from, to});
+  }
+
+  event::FacePiece piece(Triangulation::Face_handle triangle) const {
+    event::FacePiece result;
+    for (int i = 0; i < 3; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      result.corners[k] = data_.plane.spatial(data_.point(triangle->vertex(i)->info()));
+      result.is_border[k] = triangle->is_constrained(Triangulation::cw(i));
+    }
+    return result;
+  }
+
+  const ReceiverMesh::Data& data_;
+  Triangulation triangulation_;
+  std::map<std::uint32_t, Triangulation::Vertex_handle> handles_;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> sides_;  ///< with the face on the left
+};
+
+}  // namespace
+
+std::vector<event::FacePiece> face_pieces(const ReceiverMesh::Data& data, const MeshFace& face) {
+  return FaceTriangulation(data, face).pieces();
+}
 
 std::vector<ReceiverTriangle> ReceiverMesh::triangles() const {
   Triangulation triangulation;

@@ -293,7 +293,8 @@ void WedgeTracer::trace_on(Pencil& pencil, const Wedge& wedge, Cone cone, std::u
   const std::array<PointId, 3> corners{receiver.corners[0], receiver.corners[1], receiver.corners[2]};
   const int side = orientation(scene_.points[corners[0]], scene_.points[corners[1]], scene_.points[corners[2]],
                                scene_.points[wedge.apex]);
-  if (side == 0) return;
+  // Nothing comes through the solid behind a facet.
+  if (side == 0 || (side < 0 && receiver.backing)) return;
   std::vector<RayRange> left;
   for (RayRange part : allowed_) {
     if (intersect(pencil, part, range)) left.push_back(part);

@@ -43,8 +43,8 @@ void stacks_under_square(benchmark::State& state) {
   divide(state, square_above(k), box_stacks(k));
 }
 
-BENCHMARK(stacks_under_distant_hexagon)->DenseRange(1, 3)->Iterations(1)->Unit(benchmark::kMillisecond);
-BENCHMARK(stacks_under_square)->DenseRange(1, 2)->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(stacks_under_distant_hexagon)->DenseRange(1, 8)->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(stacks_under_square)->DenseRange(1, 8)->Iterations(1)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace gnomon::benchmarks

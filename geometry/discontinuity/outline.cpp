@@ -1,0 +1,66 @@
+#include "geometry/discontinuity/outline.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace gnomon::event {
+
+Place::Place(ExactVector p) : exact(std::move(p)) {
+  const Rational* c[] = {&exact.x, &exact.y, &exact.z};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto [low, high] = CGAL::to_interval(*c[k]);
+    near[k] = Interval(low, high);
+  }
+}
+
+int side(const Outline& edge, const Place& p, const Place& x) {
+  const NearVector normal = cross(edge.a.near - p.near, edge.b.near - p.near);
+  if (const auto known = certain_sign(dot(normal, x.near - p.near))) return *known;
+  return dot(cross(edge.a.exact - p.exact, edge.b.exact - p.exact), x.exact - p.exact).sign();
+}
+
+bool belong_together(const Outline& p, const Outline& q) {
+  if (p.is_of_light && q.is_of_light) return true;
+  return std::any_of(p.shapes.begin(), p.shapes.end(),
+                     [&](ShapeId s) { return std::find(q.shapes.begin(), q.shapes.end(), s) != q.shapes.end(); });
+}
+
+std::vector<Outline> outlines(const EventScene& scene, std::span<const ShapeId> shapes) {
+  const auto place = [&](PointId id) {
+    const EventPoint& p = scene.points[id];
+    return Place(p.exact ? affine(*p.exact) : exact(p.input));
+  };
+  std::vector<Outline> found;
+  const std::size_t n = scene.light_edges.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const LightEdge& e = scene.light_edges[k];
+    Outline line{place(e.a), place(e.b), true, {}, {}};
+    if (n > 2) {
+      // What lies beyond the edge counts as hidden: the mirror image of what lies inside.
+      const ExactVector inside = place(scene.light_edges[(k + 1) % n].b).exact;
+      line.hidden.emplace_back(line.a.exact + line.b.exact - inside);
+    }
+    found.push_back(std::move(line));
+  }
+  for (const LightEdge& e : scene.cut_edges) found.push_back({place(e.a), place(e.b), false, {}, {}});
+  std::vector<EdgeId> ids;
+  for (const ShapeId s : shapes) {
+    for (const ShapeEdge& e : scene.shapes[s].edges) {
+      if (scene.edges[e.edge].may_be_seen) ids.push_back(e.edge);
+    }
+  }
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  for (const EdgeId id : ids) {
+    const BlockerEdge& edge = scene.edges[id];
+    Outline line{place(edge.a), place(edge.b), false, {}, {}};
+    for (const FaceAtEdge& f : edge.faces) {
+      line.shapes.push_back(f.shape);
+      line.hidden.push_back(place(f.third));
+    }
+    found.push_back(std::move(line));
+  }
+  return found;
+}
+
+}  // namespace gnomon::event

@@ -1,0 +1,56 @@
+#pragma once
+
+/// Edges that may bound what is seen of the light. Private to this folder.
+
+#include <span>
+#include <vector>
+
+#include "geometry/discontinuity/event_scene.h"
+#include "geometry/discontinuity/receiver_plane.h"
+#include "geometry/visibility/exact_vector.h"
+
+namespace gnomon::event {
+
+/// A vector, somewhere in a box.
+using NearVector = PointEnclosure;
+
+inline NearVector operator-(const NearVector& a, const NearVector& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+inline NearVector cross(const NearVector& a, const NearVector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+inline Interval dot(const NearVector& a, const NearVector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// A point, exactly and nearby. Requires: the rounding mode is protected.
+struct Place {
+  ExactVector exact;
+  PointEnclosure near{Interval(0), Interval(0), Interval(0)};
+
+  Place() = default;
+  explicit Place(ExactVector p);
+};
+
+/// An edge that may bound what is seen.
+struct Outline {
+  Place a;
+  Place b;
+  bool is_of_light = false;     ///< an edge of the light's own outline
+  std::vector<ShapeId> shapes;  ///< whose edge it is
+  std::vector<Place> hidden;    ///< a point of each face at the edge; of an area light a point beyond its edge
+};
+
+/// Side of the plane through p and an edge on which a point lies. Exactness: intervals first, then rationals.
+int side(const Outline& edge, const Place& p, const Place& x);
+
+/// True of two edges of the light, or of one blocker: what they leave open never shrinks to where they cross.
+bool belong_together(const Outline& p, const Outline& q);
+
+/// The edges of the light, its own ones first, and those of some shapes.
+std::vector<Outline> outlines(const EventScene& scene, std::span<const ShapeId> shapes);
+
+}  // namespace gnomon::event

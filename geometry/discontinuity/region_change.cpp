@@ -1,0 +1,272 @@
+#include "geometry/discontinuity/region_change.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "geometry/discontinuity/outline.h"
+
+namespace gnomon::event {
+namespace {
+
+/// Signs that occur, as bits: 1 negative, 2 positive.
+unsigned bit(int sign) {
+  return sign < 0 ? 1U : sign > 0 ? 2U : 0U;
+}
+
+struct Corner {
+  Place place;
+  bool is_border = false;
+};
+
+/// Three edges, by their indices.
+struct Triple {
+  std::uint32_t edges[3];
+};
+
+struct Piece {
+  std::array<Corner, 3> corners;
+  std::array<bool, 3> is_border{};
+  int halvings = 0;
+  std::vector<Triple> triples;
+};
+
+/// How two edges cross as seen from the points of a piece.
+enum class Crossing : std::int8_t { never = 2, unknown = 0, rising = 1, falling = -1 };
+
+/// The side of an edge that is hidden, as seen from the points of a piece.
+enum class Hidden : std::int8_t { none = 2, unknown = 0, positive = 1, negative = -1 };
+
+/// One piece and the edges that matter to it.
+class PieceTest {
+ public:
+  PieceTest(const std::vector<Outline>& edges, const Piece& piece) : edges_(edges), piece_(piece) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const ExactVector &p = piece.corners[k].place.exact, &q = piece.corners[(k + 1) % 3].place.exact;
+      middles_[k] = Place(Rational(1, 2) * (p + q));
+    }
+  }
+
+  Crossing crossing(std::uint32_t i, std::uint32_t j) const {
+    const Outline &p = edges_[i], &q = edges_[j];
+    const auto [a, b] = sides_of_ends(p, q);
+    if ((a | b) != 3U || a == 0U || b == 0U) return Crossing::never;
+    const auto [c, d] = sides_of_ends(q, p);
+    if ((c | d) != 3U || c == 0U || d == 0U) return Crossing::never;
+    // One end on one side throughout tells on which side the other is wherever they cross.
+    if (b == 2U || a == 1U) return Crossing::rising;
+    if (b == 1U || a == 2U) return Crossing::falling;
+    if (c == 2U || d == 1U) return Crossing::rising;
+    if (c == 1U || d == 2U) return Crossing::falling;
+    return Crossing::unknown;
+  }
+
+  Hidden hidden(std::uint32_t i) const {
+    if (edges_[i].hidden.empty()) return Hidden::unknown;
+    bool positive = false, negative = false;
+    for (const Place& x : edges_[i].hidden) {
+      const unsigned sides = sides_of(edges_[i], x);
+      if (sides == 3U) return Hidden::unknown;
+      positive = positive || sides == 2U;
+      negative = negative || sides == 1U;
+    }
+    if (positive && negative) return Hidden::none;
+    return positive ? Hidden::positive : negative ? Hidden::negative : Hidden::unknown;
+  }
+
+  /// True if the three edges' lines meet no line through any point inside the face that belongs to the piece.
+  bool are_never_in_line(const Triple& t) const {
+    std::array<int, 3> at_corner, between;
+    unsigned signs = 0;
+    for (std::size_t k = 0; k < 3; ++k) signs |= bit(at_corner[k] = determinant(t, piece_.corners[k].place).sign);
+    if (signs == 3U) return false;
+    for (std::size_t k = 0; k < 3; ++k) signs |= bit(between[k] = middle_sign(t, k));
+    if (signs == 3U || signs == 0U) return false;
+    // Inside it vanishes nowhere; on sides and at corners where coefficients do.
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (at_corner[k] == 0 && !piece_.corners[k].is_border) return false;
+      const bool vanishes = at_corner[k] == 0 && between[k] == 0 && at_corner[(k + 1) % 3] == 0;
+      if (vanishes && !piece_.is_border[k]) return false;
+    }
+    return true;
+  }
+
+  /// True if an edge of the light parts it from this one, as seen from all of the piece.
+  bool is_beside_light(std::uint32_t i) const {
+    for (const Outline& e : edges_) {
+      if (!e.is_of_light || e.hidden.empty()) break;
+      const unsigned beyond = sides_of(e, e.hidden.front());
+      if (beyond == 3U || beyond == 0U) continue;
+      if ((sides_of(e, edges_[i].a) | beyond) == beyond && (sides_of(e, edges_[i].b) | beyond) == beyond &&
+          !edges_[i].is_of_light) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  unsigned sides_of(const Outline& edge, const Place& x) const {
+    unsigned sides = 0;
+    for (const Corner& c : piece_.corners) sides |= bit(side(edge, c.place, x));
+    return sides;
+  }
+
+  std::pair<unsigned, unsigned> sides_of_ends(const Outline& p, const Outline& q) const {
+    return {sides_of(p, q.a), sides_of(p, q.b)};
+  }
+
+  struct Value {
+    Interval near = 0;
+    int sign = 0;
+  };
+
+  static Interval near_determinant(const std::vector<Outline>& edges, const Triple& t, const Place& p) {
+    NearVector n[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Outline& e = edges[t.edges[k]];
+      n[k] = cross(e.a.near - p.near, e.b.near - p.near);
+    }
+    return dot(cross(n[0], n[1]), n[2]);
+  }
+
+  Rational exact_determinant(const Triple& t, const Place& p) const {
+    ExactVector n[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Outline& e = edges_[t.edges[k]];
+      n[k] = gnomon::cross(e.a.exact - p.exact, e.b.exact - p.exact);
+    }
+    return gnomon::dot(gnomon::cross(n[0], n[1]), n[2]);
+  }
+
+  Value determinant(const Triple& t, const Place& p) const {
+    const Interval near = near_determinant(edges_, t, p);
+    if (const auto known = certain_sign(near)) return {near, *known};
+    return {near, exact_determinant(t, p).sign()};
+  }
+
+  /// Sign of the coefficient that belongs to a side.
+  int middle_sign(const Triple& t, std::size_t k) const {
+    const Place &p = piece_.corners[k].place, &q = piece_.corners[(k + 1) % 3].place;
+    const Interval near = Interval(4) * near_determinant(edges_, t, middles_[k]) - near_determinant(edges_, t, p) -
+                          near_determinant(edges_, t, q);
+    if (const auto known = certain_sign(near)) return *known;
+    const Rational exact = 4 * exact_determinant(t, middles_[k]) - exact_determinant(t, p) - exact_determinant(t, q);
+    return exact.sign();
+  }
+
+  const std::vector<Outline>& edges_;
+  const Piece& piece_;
+  std::array<Place, 3> middles_;
+};
+
+/// Clears pieces of triples until none is left or the budget is spent.
+class ChangeSearch {
+ public:
+  explicit ChangeSearch(std::vector<Outline> edges) : edges_(std::move(edges)) {}
+
+  /// Returns: false if the piece is clear.
+  bool may_change(Piece piece) {
+    piece.triples = crossing_triples(piece);
+    std::vector<Piece> stack{std::move(piece)};
+    while (!stack.empty()) {
+      Piece top = std::move(stack.back());
+      stack.pop_back();
+      if (++pieces_ > most_pieces) return true;
+      clear(top);
+      if (top.triples.empty()) continue;
+      if (top.halvings == most_halvings) return true;
+      halve(top, stack);
+    }
+    return false;
+  }
+
+ private:
+  /// All triples that cross pairwise.
+  std::vector<Triple> crossing_triples(const Piece& piece) const {
+    const PieceTest test(edges_, piece);
+    std::vector<std::uint32_t> near;
+    for (std::uint32_t i = 0; i < edges_.size(); ++i) {
+      if (!test.is_beside_light(i)) near.push_back(i);
+    }
+    const auto n = static_cast<std::uint32_t>(near.size());
+    std::vector<std::vector<std::uint32_t>> crossed(edges_.size());
+    for (std::uint32_t x = 0; x < n; ++x) {
+      for (std::uint32_t y = x + 1; y < n; ++y) {
+        const std::uint32_t i = near[x], j = near[y];
+        if (!belong_together(edges_[i], edges_[j]) && test.crossing(i, j) != Crossing::never) crossed[i].push_back(j);
+      }
+    }
+    std::vector<Triple> triples;
+    for (const std::uint32_t i : near) {
+      for (const std::uint32_t j : crossed[i]) {
+        for (const std::uint32_t k : crossed[j]) {
+          if (std::binary_search(crossed[i].begin(), crossed[i].end(), k)) triples.push_back({{i, j, k}});
+        }
+      }
+    }
+    return triples;
+  }
+
+  void clear(Piece& piece) {
+    const PieceTest test(edges_, piece);
+    std::vector<std::optional<Crossing>> crossings(edges_.size() * edges_.size());
+    std::vector<std::optional<Hidden>> hidden(edges_.size());
+    const auto crossing = [&](std::uint32_t i, std::uint32_t j) {
+      auto& known = crossings[i * edges_.size() + j];
+      if (!known) known = test.crossing(i, j);
+      return *known;
+    };
+    const auto hidden_side = [&](std::uint32_t i) {
+      if (!hidden[i]) hidden[i] = test.hidden(i);
+      return *hidden[i];
+    };
+    std::erase_if(piece.triples, [&](const Triple& t) {
+      const auto [i, j, k] = t.edges;
+      const Crossing c[] = {crossing(i, j), crossing(j, k), crossing(i, k)};
+      if (std::find(std::begin(c), std::end(c), Crossing::never) != std::end(c)) return true;
+      const Hidden h[] = {hidden_side(i), hidden_side(j), hidden_side(k)};
+      if (std::find(std::begin(h), std::end(h), Hidden::none) != std::end(h)) return true;
+      const int s[] = {int(h[0]) * int(h[1]) * int(c[0]), int(h[1]) * int(h[2]) * int(c[1]),
+                       -int(h[0]) * int(h[2]) * int(c[2])};
+      const bool up = s[0] > 0 || s[1] > 0 || s[2] > 0, down = s[0] < 0 || s[1] < 0 || s[2] < 0;
+      if (up && down) return true;
+      return test.are_never_in_line(t);
+    });
+  }
+
+  static void halve(const Piece& piece, std::vector<Piece>& pieces) {
+    const auto length = [&](std::size_t k) {
+      const NearVector way = piece.corners[(k + 1) % 3].place.near - piece.corners[k].place.near;
+      return dot(way, way).sup();
+    };
+    std::size_t k = 0;
+    for (std::size_t other = 1; other < 3; ++other) {
+      if (length(other) > length(k)) k = other;
+    }
+    const Corner &p = piece.corners[k], &q = piece.corners[(k + 1) % 3], &r = piece.corners[(k + 2) % 3];
+    const Corner m{Place(Rational(1, 2) * (p.place.exact + q.place.exact)), piece.is_border[k]};
+    const bool pq = piece.is_border[k], qr = piece.is_border[(k + 1) % 3], rp = piece.is_border[(k + 2) % 3];
+    pieces.push_back({{p, m, r}, {pq, false, rp}, piece.halvings + 1, piece.triples});
+    pieces.push_back({{m, q, r}, {pq, qr, false}, piece.halvings + 1, piece.triples});
+  }
+
+  std::vector<Outline> edges_;
+  int pieces_ = 0;
+};
+
+}  // namespace
+
+bool region_may_change(const EventScene& scene, std::span<const ShapeId> shapes, std::span<const FacePiece> face) {
+  const CGAL::Protect_FPU_rounding<true> upward;
+  std::vector<Outline> edges = outlines(scene, shapes);
+  if (edges.size() > most_outlines) return true;
+  ChangeSearch search(std::move(edges));
+  return std::any_of(face.begin(), face.end(), [&](const FacePiece& piece) {
+    const auto corner = [&](std::size_t k) { return Corner{Place(piece.corners[k]), true}; };
+    return search.may_change({{corner(0), corner(1), corner(2)}, piece.is_border, 0, {}});
+  });
+}
+
+}  // namespace gnomon::event
