@@ -2,7 +2,6 @@
 
 #include <CGAL/Convex_hull_3/dual/halfspace_intersection_3.h>
 #include <CGAL/Polyhedron_3.h>
-#include <CGAL/convex_hull_3.h>
 
 #include <vector>
 
@@ -18,11 +17,6 @@ using CgalPoint = InputKernel::Point_3;
 
 constexpr double floor_z = -4;
 
-CgalPoint on_the_floor(const CgalPoint& light, const CgalPoint& blocker) {
-  const double t = (floor_z - blocker.z()) / (blocker.z() - light.z());
-  return blocker + t * (blocker - light);
-}
-
 /// The plane through p, q, r with `inside` on its negative side.
 Plane turned_plane(const CgalPoint& p, const CgalPoint& q, const CgalPoint& r, const CgalPoint& inside) {
   const Plane plane(p, q, r);
@@ -35,18 +29,7 @@ CgalPoint vertex(const ConvexPolygon& polygon, std::size_t k) {
 
 }  // namespace
 
-std::size_t facets_of_vertex_shadow_hull(const PolygonPair& pair) {
-  std::vector<CgalPoint> points;
-  for (const Point3& b : pair.blocker.points()) {
-    points.push_back(to_cgal(b));
-    for (const Point3& l : pair.light_polygon().points()) points.push_back(on_the_floor(to_cgal(l), to_cgal(b)));
-  }
-  Polyhedron hull;
-  CGAL::convex_hull_3(points.begin(), points.end(), hull);
-  return hull.size_of_facets();
-}
-
-std::size_t facets_of_halfspace_intersection(const PolygonPair& pair) {
+std::size_t facets_of_halfspace_intersection(const report::PolygonPair& pair) {
   const ConvexPolygon& light = pair.light_polygon();
   const ConvexPolygon& blocker = pair.blocker;
   const CgalPoint inside(0, 0, 0);

@@ -4,9 +4,10 @@
 
 #include <string>
 
+#include "apps/report/polygon_pairs.h"
+#include "apps/report/volume_peers.h"
 #include "tests/benchmarks/cgal_baselines.h"
 #include "tests/benchmarks/plain_walk.h"
-#include "tests/benchmarks/polygon_pairs.h"
 #include "tests/benchmarks/ratios.h"
 
 // All extremal planes of a light and a blocker of n vertices each: exact (precondition checked), by the same walk in
@@ -20,17 +21,17 @@ bool same(const ExtremalPlanes& a, const ExtremalPlanes& b) {
 }
 
 void exact(benchmark::State& state) {
-  const PolygonPair pair = generic_pair(static_cast<std::uint32_t>(state.range(0)));
+  const report::PolygonPair pair = report::generic_pair(static_cast<std::uint32_t>(state.range(0)));
   for (auto _ : state) benchmark::DoNotOptimize(extremal_planes(pair.light, pair.blocker));
 }
 
 void exact_of_aligned_squares(benchmark::State& state) {
-  const PolygonPair pair = aligned_squares();
+  const report::PolygonPair pair = report::aligned_squares();
   for (auto _ : state) benchmark::DoNotOptimize(extremal_planes(pair.light, pair.blocker));
 }
 
 void plain_doubles(benchmark::State& state) {
-  const PolygonPair pair = generic_pair(static_cast<std::uint32_t>(state.range(0)));
+  const report::PolygonPair pair = report::generic_pair(static_cast<std::uint32_t>(state.range(0)));
   const auto& light = std::get<AreaLight>(pair.light);
   if (!same(plain_extremal_planes(light, pair.blocker), extremal_planes(pair.light, pair.blocker))) {
     state.SkipWithError("the plain walk names other planes");
@@ -40,12 +41,12 @@ void plain_doubles(benchmark::State& state) {
 }
 
 void convex_hull(benchmark::State& state) {
-  const PolygonPair pair = generic_pair(static_cast<std::uint32_t>(state.range(0)));
-  for (auto _ : state) benchmark::DoNotOptimize(facets_of_vertex_shadow_hull(pair));
+  const report::PolygonPair pair = report::generic_pair(static_cast<std::uint32_t>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(report::facets_of_vertex_shadow_hull(pair));
 }
 
 void halfspace_intersection(benchmark::State& state) {
-  const PolygonPair pair = generic_pair(static_cast<std::uint32_t>(state.range(0)));
+  const report::PolygonPair pair = report::generic_pair(static_cast<std::uint32_t>(state.range(0)));
   for (auto _ : state) benchmark::DoNotOptimize(facets_of_halfspace_intersection(pair));
 }
 

@@ -2,18 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "apps/report/embree_sight.h"
+#include "apps/report/triangle_scenes.h"
 #include "geometry/visibility/fast_visibility.h"
 #include "shading/lambert.h"
-#include "tests/benchmarks/embree_sampling.h"
 #include "tests/benchmarks/memory.h"
 #include "tests/benchmarks/ratios.h"
-#include "tests/benchmarks/triangle_scenes.h"
 
 // What a point sees of a square light behind n triangles: region, visible fraction and irradiance, the numbers with
 // their bounds; and the irradiance alone by shadow rays, as many as a root mean square error of 1e-3 takes.
@@ -28,9 +27,10 @@ std::size_t blockers(const benchmark::State& state) {
 
 /// A scene and who looks at its points.
 struct Looked {
-  explicit Looked(TriangleScene drawn) : scene(std::move(drawn)), visibility(scene.light, BlockerSet(scene.blockers)) {}
+  explicit Looked(report::TriangleScene drawn)
+      : scene(std::move(drawn)), visibility(scene.light, BlockerSet(scene.blockers)) {}
 
-  TriangleScene scene;
+  report::TriangleScene scene;
   FastVisibility visibility;
 };
 
@@ -46,7 +46,7 @@ std::vector<double> irradiances(Looked& looked) {
 
 void visibility_fast(benchmark::State& state) {
   std::vector<Looked> all;
-  for (TriangleScene& scene : triangle_scenes(blockers(state))) all.emplace_back(std::move(scene));
+  for (report::TriangleScene& scene : report::triangle_scenes(blockers(state))) all.emplace_back(std::move(scene));
   std::size_t looked = 0;
   std::size_t next = 0;
   for (auto unused : state) {
@@ -64,14 +64,22 @@ void visibility_fast(benchmark::State& state) {
 
 /// A scene, its rays, and what they are to find.
 struct Sampled {
-  explicit Sampled(TriangleScene drawn)
-      : looked(std::move(drawn)),
-        expected(irradiances(looked)),
-        sampling(std::make_unique<EmbreeSampling>(looked.scene)) {}
+  explicit Sampled(report::TriangleScene drawn)
+      : looked(std::move(drawn)), expected(irradiances(looked)), sight(looked.scene.light, looked.scene.blockers) {}
+
+  /// The error at each point, squared and added up.
+  double squared_error() {
+    double squares = 0;
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      const double error = sight.seen_from(looked.scene.points[i], up).irradiance - expected[i];
+      squares += error * error;
+    }
+    return squares;
+  }
 
   Looked looked;
   std::vector<double> expected;
-  std::unique_ptr<EmbreeSampling> sampling;
+  report::EmbreeSight sight;
 };
 
 /// The least k of 4, 6, 8, 12, 16, ... whose root mean square error over all points is at most `relative` of the mean.
@@ -81,7 +89,8 @@ std::size_t cells_for_error(std::vector<Sampled>& all, double relative) {
     double sum = 0;
     double count = 0;
     for (Sampled& one : all) {
-      squares += squared_error(*one.sampling, one.looked.scene, one.expected, k);
+      one.sight.place(report::Placing::stratified, k);
+      squares += one.squared_error();
       sum = std::accumulate(one.expected.begin(), one.expected.end(), sum);
       count += static_cast<double>(one.expected.size());
     }
@@ -91,12 +100,12 @@ std::size_t cells_for_error(std::vector<Sampled>& all, double relative) {
 
 void visibility_embree(benchmark::State& state) {
   std::vector<Sampled> all;
-  for (TriangleScene& scene : triangle_scenes(blockers(state))) all.emplace_back(std::move(scene));
+  for (report::TriangleScene& scene : report::triangle_scenes(blockers(state))) all.emplace_back(std::move(scene));
   const std::size_t k = cells_for_error(all, 1e-3);
   std::size_t next = 0;
   for (auto unused : state) {
     Sampled& one = all[next % all.size()];
-    benchmark::DoNotOptimize(one.sampling->irradiance(one.looked.scene.points[next % one.expected.size()], k));
+    benchmark::DoNotOptimize(one.sight.seen_from(one.looked.scene.points[next % one.expected.size()], up));
     ++next;
   }
   state.counters["rays"] = static_cast<double>(k * k);
@@ -104,7 +113,7 @@ void visibility_embree(benchmark::State& state) {
 
 /// The light is known to be wholly visible: the sum over its four edges, with its bound.
 void visibility_lambert_quad(benchmark::State& state) {
-  const TriangleScene scene = triangle_scene(1);
+  const report::TriangleScene scene = report::triangle_scene(1);
   FastVisibility visibility(scene.light, BlockerSet({}));
   const std::optional<LightSeen> seen = visibility.seen_from(scene.points.front());
   for (auto unused : state) benchmark::DoNotOptimize(lambert_irradiance(*seen, up, 1));

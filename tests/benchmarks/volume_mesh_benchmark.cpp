@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "apps/report/polygon_pairs.h"
 #include "tests/benchmarks/memory.h"
-#include "tests/benchmarks/polygon_pairs.h"
 #include "tests/benchmarks/ratios.h"
 
 // Occlusion and umbra as closed meshes with correctly rounded vertices, cut by a box: of polygons of n vertices each,
@@ -22,13 +22,13 @@ constexpr ShadowParts surfaces{.penumbra = false, .cells = false, .planes = fals
 constexpr Box3 box{{-9.1, -8.7, -9.3}, {8.9, 9.2, 9.4}};
 
 void meshes(benchmark::State& state) {
-  const PolygonPair pair = generic_pair(static_cast<std::uint32_t>(state.range(0)));
+  const report::PolygonPair pair = report::generic_pair(static_cast<std::uint32_t>(state.range(0)));
   const ConvexBlocker blocker = pair.blocker;
   for (auto _ : state) benchmark::DoNotOptimize(shadow_meshes(pair.light, blocker, box, surfaces));
 }
 
 void meshes_of_aligned_squares(benchmark::State& state) {
-  const PolygonPair pair = aligned_squares();
+  const report::PolygonPair pair = report::aligned_squares();
   const ConvexBlocker blocker = pair.blocker;
   for (auto _ : state) benchmark::DoNotOptimize(shadow_meshes(pair.light, blocker, box, surfaces));
 }

@@ -46,14 +46,6 @@ TEST_F(Program, NamesAnUnknownCommandAndTheNearestKnownOne) {
                     HasSubstr("shadow, check, regions, grid, irradiance, discontinuities, receivers, render")));
 }
 
-TEST_F(Program, SaysThatADocumentedCommandIsNotAvailableYet) {
-  for (const std::string command : {"report"}) {
-    const Outcome run = gnomon(command + " scene.json");
-    EXPECT_EQ(run.code, 4) << command;
-    EXPECT_THAT(run.err, AllOf(HasSubstr("'" + command + "'"), HasSubstr("not available in this version")));
-  }
-}
-
 TEST_F(Program, RefusesAnOptionInPlaceOfACommand) {
   const Outcome run = gnomon("--verbose");
   EXPECT_EQ(run.code, 2);

@@ -4,7 +4,7 @@
 
 #include "geometry/spatial/light.h"
 
-namespace gnomon::benchmarks {
+namespace gnomon::report {
 
 /// An area light and a flat blocker in standard position.
 struct PolygonPair {
@@ -21,4 +21,4 @@ PolygonPair generic_pair(std::uint32_t corners);
 /// Two squares whose edges are parallel in pairs: every extremal plane touches a whole side of the light.
 PolygonPair aligned_squares();
 
-}  // namespace gnomon::benchmarks
+}  // namespace gnomon::report

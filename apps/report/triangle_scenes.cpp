@@ -1,41 +1,28 @@
-#include "tests/benchmarks/triangle_scenes.h"
+#include "apps/report/triangle_scenes.h"
 
 #include <cmath>
 #include <numbers>
-#include <random>
+#include <utility>
 
-namespace gnomon::benchmarks {
+#include "apps/report/draws.h"
+#include "apps/report/vectors.h"
+
+namespace gnomon::report {
 namespace {
 
-class Draws {
- public:
-  explicit Draws(std::size_t seed) : engine_(static_cast<std::mt19937::result_type>(seed)) {}
-
-  double between(double low, double high) {
-    return low + (high - low) * (static_cast<double>(engine_()) / 4294967296.0);
-  }
-
-  Point3 direction() {
-    const double z = between(-1, 1);
-    const double angle = between(0, 2 * std::numbers::pi);
-    const double r = std::sqrt(1 - z * z);
-    return {r * std::cos(angle), r * std::sin(angle), z};
-  }
-
- private:
-  std::mt19937 engine_;
-};
-
-Point3 cross(const Point3& a, const Point3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+Point3 direction(Draws& draws) {
+  const double z = draws.between(-1, 1);
+  const double angle = draws.between(0, 2 * std::numbers::pi);
+  const double r = std::sqrt(1 - z * z);
+  return {r * std::cos(angle), r * std::sin(angle), z};
 }
 
 ConvexPolygon triangle(Draws& draws, double radius) {
   const double z = draws.between(1, 3);
   const double x = draws.between(-1, 1);
   const double y = draws.between(-1, 1);
-  const Point3 u = draws.direction();
-  Point3 v = cross(u, draws.direction());
+  const Point3 u = direction(draws);
+  Point3 v = cross(u, direction(draws));
   const double length = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
   v = {v.x / length, v.y / length, v.z / length};
   std::vector<Point3> points;
@@ -47,10 +34,6 @@ ConvexPolygon triangle(Draws& draws, double radius) {
   }
   return ConvexPolygon::from_points(std::move(points));
 }
-
-}  // namespace
-
-namespace {
 
 TriangleScene drawn_scene(std::size_t n, std::size_t points, std::size_t seed) {
   Draws draws(seed);
@@ -77,4 +60,4 @@ std::vector<TriangleScene> triangle_scenes(std::size_t n) {
   return scenes;
 }
 
-}  // namespace gnomon::benchmarks
+}  // namespace gnomon::report

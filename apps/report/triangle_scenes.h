@@ -6,7 +6,7 @@
 #include "geometry/spatial/convex_blocker.h"
 #include "geometry/spatial/light.h"
 
-namespace gnomon::benchmarks {
+namespace gnomon::report {
 
 /// A square light of side 1 at height 4, points below it, and triangles in between.
 struct TriangleScene {
@@ -22,4 +22,4 @@ TriangleScene triangle_scene(std::size_t n);
 /// 512 points in all, of one scene or, where a few triangles may happen to stand aside, of sixteen.
 std::vector<TriangleScene> triangle_scenes(std::size_t n);
 
-}  // namespace gnomon::benchmarks
+}  // namespace gnomon::report

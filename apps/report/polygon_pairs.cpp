@@ -1,11 +1,11 @@
-#include "tests/benchmarks/polygon_pairs.h"
+#include "apps/report/polygon_pairs.h"
 
 #include <cmath>
 #include <numbers>
 #include <utility>
 #include <vector>
 
-namespace gnomon::benchmarks {
+namespace gnomon::report {
 namespace {
 
 /// Rounded to a grid so coarse that a tilt by an eighth is exact, hence the polygon exactly flat.
@@ -37,4 +37,4 @@ PolygonPair aligned_squares() {
           ConvexPolygon::from_points({{-2, -2, 2}, {2, -2, 2}, {2, 2, 2}, {-2, 2, 2}})};
 }
 
-}  // namespace gnomon::benchmarks
+}  // namespace gnomon::report
