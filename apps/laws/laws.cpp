@@ -2,9 +2,12 @@
 #include <utility>
 
 #include "apps/laws/any_position_laws.h"
+#include "apps/laws/event_count_laws.h"
+#include "apps/laws/event_laws.h"
 #include "apps/laws/flatland_claims.h"
 #include "apps/laws/flatland_laws.h"
 #include "apps/laws/planar_laws.h"
+#include "apps/laws/receiver_laws.h"
 #include "apps/laws/sight_laws.h"
 #include "apps/laws/spatial_claims.h"
 #include "apps/laws/spatial_laws.h"
@@ -14,7 +17,7 @@ namespace gnomon::laws {
 std::vector<Law> all_laws() {
   std::vector<Law> all;
   for (const auto& family : {planar_laws(), flatland_laws(), flatland_claims(), spatial_laws(), any_position_laws(),
-                             sight_laws(), spatial_claims()}) {
+                             sight_laws(), event_laws(), event_count_laws(), receiver_laws(), spatial_claims()}) {
     all.insert(all.end(), family.begin(), family.end());
   }
   const std::vector<std::string> order = all_keys();

@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "apps/laws/event_mutants.h"
 #include "apps/laws/planar_definition.h"
 #include "geometry/planar/partition_data.h"
 
@@ -217,7 +218,7 @@ Visibility changed(const Light& light, const Obstacles& obstacles, const Point3&
 
 std::vector<Mutant> sight_mutants() {
   return {
-      sight({"skip_blocker", "the last blocker forgotten"}, {"M1", "M3", "F7"},
+      sight({"skip_blocker", "the last blocker forgotten"}, {"M1", "M3", "E4", "F7"},
             [](const Light& light, const Obstacles& obstacles, const Point3& p) {
               Obstacles fewer = obstacles;
               fewer.blockers.pop_back();
@@ -325,7 +326,7 @@ std::vector<Mutant> flatland_mutants() {
 std::vector<Mutant> all_mutants() {
   std::vector<Mutant> all;
   for (auto& family : {planar_pair_mutants(), flatland_mutants(), plane_mutants(), volume_mutants(), hull_mutants(),
-                       sight_mutants()}) {
+                       sight_mutants(), event_mutants()}) {
     all.insert(all.end(), family.begin(), family.end());
   }
   return all;
@@ -351,6 +352,12 @@ Subject with_part_watched(Part part, std::function<void()> asked) {
       break;
     case Part::visibility:
       subject.visibility = watched(subject.visibility);
+      break;
+    case Part::discontinuity_surfaces:
+      subject.discontinuity_surfaces = watched(subject.discontinuity_surfaces);
+      break;
+    case Part::divided_receiver:
+      subject.divided_receiver = watched(subject.divided_receiver);
       break;
     case Part::planar_extremal_lines:
       subject.planar_extremal_lines = watched(subject.planar_extremal_lines);

@@ -15,6 +15,8 @@ enum class Part {
   shadow_volumes,
   convex_hull_shadow_volume,
   visibility,
+  discontinuity_surfaces,
+  divided_receiver,
   planar_extremal_lines,
   planar_regions,
   planar_region_of,

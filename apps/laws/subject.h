@@ -3,6 +3,8 @@
 #include <array>
 #include <functional>
 
+#include "geometry/discontinuity/discontinuity_surface.h"
+#include "geometry/discontinuity/receiver_mesh.h"
 #include "geometry/planar/extremal_lines.h"
 #include "geometry/planar/partition.h"
 #include "geometry/planar/region_of.h"
@@ -11,6 +13,19 @@
 #include "geometry/visibility/visibility.h"
 
 namespace gnomon::laws {
+
+/// A receiver's mesh as plain lists, as ReceiverMesh has them.
+struct DividedReceiver {
+  std::vector<Point3> vertices;  ///< rounded to nearest
+  std::vector<MeshEdge> edges;
+  std::vector<ReceiverRegion> faces;  ///< their regions
+  std::vector<EventName> names;
+  std::vector<ReceiverTriangle> triangles;
+};
+
+/// A receiver, divided by what it receives of a light.
+DividedReceiver divided_receiver(const Light& light, const std::vector<ConvexBlocker>& blockers,
+                                 const ConvexPolygon& receiver);
 
 /// The functions the laws are about, as values: a test may pass a broken one to see that a law catches it.
 struct Subject {
@@ -30,6 +45,13 @@ struct Subject {
   std::function<planar::Partition(const planar::Flatland&)> planar_partition = [](const planar::Flatland& flatland) {
     return planar::partition(planar::Sight(flatland));
   };
+  std::function<std::vector<DiscontinuitySurface>(const Light&, const std::vector<ConvexBlocker>&,
+                                                  const std::vector<ConvexPolygon>&, const Box3&)>
+      discontinuity_surfaces = [](const auto& light, const auto& blockers, const auto& receivers, const Box3& box) {
+        return gnomon::discontinuity_surfaces(light, blockers, receivers, box);
+      };
+  std::function<DividedReceiver(const Light&, const std::vector<ConvexBlocker>&, const ConvexPolygon&)>
+      divided_receiver = laws::divided_receiver;
 };
 
 }  // namespace gnomon::laws

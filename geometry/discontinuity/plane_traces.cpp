@@ -132,7 +132,11 @@ class PlaneTraces {
     if (behind && !light_behind_) return;
     for (std::uint32_t f = 0; f < shape.facets.size(); ++f) {
       const auto [above, below] = sides_of(shape.facets[f]);
-      if (!above && !below) add_outline(shape.facets[f], contact(s, f));
+      if (!above && !below) {
+        add_outline(shape.facets[f], contact(s, f));
+      } else {
+        add_section(shape.facets[f], contact(s, f));  // an edge on which the solid stands
+      }
     }
   }
 

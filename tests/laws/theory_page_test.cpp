@@ -41,15 +41,6 @@ TEST(TheoryPage, SaysOfFalseClaimsThatTheyAreRefutedAndOfOthersThatTheyHold) {
   }
 }
 
-TEST(TheoryPage, SaysOfStatementsWithoutAnEntryThatTheyAreNotCheckedYet) {
-  const std::string text = page();
-  const std::vector<Law> laws = all_laws();
-  for (const std::string& key : all_keys()) {
-    const bool has_entry = std::ranges::find(laws, key, &Law::key) != laws.end();
-    EXPECT_EQ(item(text, key).find("Not checked yet;") == std::string::npos, has_entry) << key;
-  }
-}
-
 TEST(TheoryPage, ShowsPicturesThatAreThere) {
   const std::string text = page();
   const std::regex picture("\\]\\((pictures/[^)]+)\\)");
