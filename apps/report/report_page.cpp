@@ -83,7 +83,7 @@ std::string volumes(const Report& report) {
          "A light and a blocker of as many vertices each, in general position, cut by a floor. gnomon makes occlusion "
          "and umbra\ntogether; its time is that of both. The exact volume is a rational number. Of CGAL, "
          "`convex_hull_3` (inexact\nconstructions) makes the occlusion alone from the vertices' shadows, "
-         "`Nef_polyhedron_3` (exact ones) the umbra alone;\nwhere it is missing it takes too long.\n\n" +
+         "`Nef_polyhedron_3` (exact ones) the umbra alone;\nit is tried where it ends within a second.\n\n" +
          text;
 }
 

@@ -127,7 +127,7 @@ void visibility_set_up(benchmark::State& state) {
   for (auto unused : state) {
     reset_peak();
     const double before = megabytes_in_use();
-    const TriangleScene scene = triangle_scene(blockers(state));
+    const report::TriangleScene scene = report::triangle_scene(blockers(state));
     FastVisibility visibility(scene.light, BlockerSet(scene.blockers));
     benchmark::DoNotOptimize(visibility.seen_from(scene.points.front()));
     held = std::max(held, megabytes_in_use() - before);
