@@ -60,9 +60,22 @@ std::vector<HidingCondition> ReceiverSight::hiding(ShapeId s, const ExactVector&
 
 VisiblePart ReceiverSight::visible_from(const ExactVector& p) {
   collect_near(p);
-  std::vector<std::vector<HidingCondition>> hidden;
-  for (const ShapeId s : near_) hidden.push_back(hiding(s, p));
-  return visible_part(light_, hidden, p);
+  hidden_.clear();
+  for (const ShapeId s : near_) hidden_.push_back(hiding(s, p));
+  return visible_part(light_, hidden_, p);
+}
+
+/// Of the shapes asked about last those that hide every vertex of the light.
+std::vector<ShapeId> ReceiverSight::covers() const {
+  std::vector<ShapeId> found;
+  for (std::size_t i = 0; i < near_.size(); ++i) {
+    if (std::all_of(scene_.light_vertices.begin(), scene_.light_vertices.end(), [&](const LightVertex& v) {
+          return hides_closed(hidden_[i], exact_point(scene_.points[v.point]));
+        })) {
+      found.push_back(near_[i]);
+    }
+  }
+  return found;
 }
 
 /// A vertex of the light, or of a blocker in front of it, on the boundary of what is seen.
@@ -93,8 +106,8 @@ bool ReceiverSight::shows_vertex(const VisiblePart& part, const ExactVector& p) 
 }
 
 /// One blocker hides every vertex of the light from every vertex of the face, so all of it from all of the face.
-bool ReceiverSight::is_hidden_by_one(std::span<const ExactVector> face) const {
-  return std::any_of(near_.begin(), near_.end(), [&](ShapeId s) {
+bool ReceiverSight::is_hidden_by_one(std::span<const ShapeId> shapes, std::span<const ExactVector> face) const {
+  return std::any_of(shapes.begin(), shapes.end(), [&](ShapeId s) {
     return std::all_of(scene_.light_vertices.begin(), scene_.light_vertices.end(), [&](const LightVertex& v) {
       const auto hidden = hiding_conditions(blockers_[s], exact_point(scene_.points[v.point]));
       return std::all_of(face.begin(), face.end(), [&](const ExactVector& p) { return hides_closed(hidden, p); });
@@ -108,8 +121,8 @@ FaceRegion ReceiverSight::region_of_face(const ExactVector& inside, std::span<co
   const bool may_change = part.region == Region::penumbra || part.region == Region::umbra;
   if (!may_change || scene_.kind == LightKind::point || scene_.kind == LightKind::direction) return {part.region, true};
   if (part.region == Region::penumbra && shows_vertex(part, inside)) return {part.region, true};
+  if (part.region == Region::umbra && is_hidden_by_one(covers(), vertices)) return {part.region, true};
   collect_in_shaft(vertices);
-  if (part.region == Region::umbra && is_hidden_by_one(vertices)) return {part.region, true};
   return {part.region, !region_may_change(scene_, near_, pieces())};
 }
 

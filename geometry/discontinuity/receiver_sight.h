@@ -46,7 +46,8 @@ class ReceiverSight {
   void collect_in_shaft(std::span<const ExactVector> face);
   std::vector<HidingCondition> hiding(ShapeId shape, const ExactVector& p) const;
   bool shows_vertex(const VisiblePart& part, const ExactVector& p) const;
-  bool is_hidden_by_one(std::span<const ExactVector> face) const;
+  std::vector<ShapeId> covers() const;
+  bool is_hidden_by_one(std::span<const ShapeId> shapes, std::span<const ExactVector> face) const;
 
   const EventScene& scene_;
   const Light& light_;
@@ -54,6 +55,7 @@ class ReceiverSight {
   const Shape& receiver_;
   const ReceiverPlane& plane_;
   std::vector<std::uint32_t> near_;
+  std::vector<std::vector<HidingCondition>> hidden_;  ///< by the shapes near, as seen from the point asked about last
 };
 
 }  // namespace gnomon::event

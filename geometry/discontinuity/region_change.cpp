@@ -109,7 +109,10 @@ class PieceTest {
  private:
   unsigned sides_of(const Outline& edge, const Place& x) const {
     unsigned sides = 0;
-    for (const Corner& c : piece_.corners) sides |= bit(side(edge, c.place, x));
+    for (const Corner& c : piece_.corners) {
+      sides |= bit(side(edge, c.place, x));
+      if (sides == 3U) break;
+    }
     return sides;
   }
 
@@ -188,7 +191,7 @@ class ChangeSearch {
     const PieceTest test(edges_, piece);
     std::vector<std::uint32_t> near;
     for (std::uint32_t i = 0; i < edges_.size(); ++i) {
-      if (!test.is_beside_light(i)) near.push_back(i);
+      if (test.hidden(i) != Hidden::none && !test.is_beside_light(i)) near.push_back(i);
     }
     const auto n = static_cast<std::uint32_t>(near.size());
     std::vector<std::vector<std::uint32_t>> crossed(edges_.size());
