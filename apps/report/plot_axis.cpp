@@ -41,11 +41,11 @@ double AxisScale::place(double value) const {
 
 std::vector<Tick> AxisScale::decades() const {
   std::vector<Tick> ticks;
-  const double first = has_shelf_ ? low_ + 1 : low_;
-  const double step = std::ceil((high_ - first) / most_labels);
+  const int first = static_cast<int>(low_) + (has_shelf_ ? 1 : 0), last = static_cast<int>(high_);
+  const int step = (last - first + most_labels - 1) / most_labels;
   if (has_shelf_) ticks.push_back({0, "0", ""});
-  for (double exponent = first; exponent <= high_; exponent += step) {
-    ticks.push_back({(exponent - low_) / (high_ - low_), "10", std::to_string(static_cast<int>(exponent))});
+  for (int exponent = first; exponent <= last; exponent += step) {
+    ticks.push_back({(exponent - low_) / (high_ - low_), "10", std::to_string(exponent)});
   }
   return ticks;
 }
@@ -56,8 +56,8 @@ std::vector<Tick> AxisScale::steps() const {
   double step = 10 * decade;
   for (const double nice : {5.0, 2.0, 1.0}) step = nice * decade >= rough ? nice * decade : step;
   std::vector<Tick> ticks;
-  for (double k = std::ceil(low_ / step); k * step <= high_; ++k) {
-    const double value = k * step + 0.0;  // 0 for -0
+  for (auto k = static_cast<long>(std::ceil(low_ / step)); static_cast<double>(k) * step <= high_; ++k) {
+    const double value = static_cast<double>(k) * step;
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%g", value);
     ticks.push_back({(value - low_) / (high_ - low_), text.data(), ""});

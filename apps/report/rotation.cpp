@@ -63,7 +63,7 @@ Scene turned(const Turn& turn, const Scene& scene) {
   Scene result;
   result.light.polygon = turned(turn, scene.light.polygon);
   for (const ConvexBlocker& blocker : scene.blockers) {
-    result.blockers.push_back(turned(turn, std::get<ConvexPolygon>(blocker)));
+    result.blockers.emplace_back(turned(turn, std::get<ConvexPolygon>(blocker)));
   }
   for (const Point3& p : scene.points) result.points.push_back(turned(turn, p));
   return result;
