@@ -16,6 +16,7 @@ foreach(header IN ITEMS
     geometry/contact.h
     geometry/discontinuity/discontinuity_surface.h
     geometry/discontinuity/event_name.h
+    geometry/discontinuity/event_range.h
     geometry/discontinuity/receiver_mesh.h
     geometry/errors.h
     geometry/exact_number.h

@@ -4,11 +4,13 @@
 #include <atomic>
 #include <future>
 #include <optional>
+#include <span>
 #include <thread>
 #include <utility>
 
 #include "apps/gnomon/console.h"
 #include "apps/gnomon/element_choice.h"
+#include "geometry/discontinuity/event_range.h"
 #include "geometry/scene/convex_parts.h"
 #include "geometry/scene/scene_points.h"
 
@@ -23,8 +25,31 @@ struct Parts {
   std::vector<std::uint32_t> receiver_ids;  ///< of each, its index in Scene::receivers
 };
 
+void require_range(const Scene& scene, const std::string& element, std::span<const Point3> points) {
+  if (std::all_of(points.begin(), points.end(), is_in_event_range)) return;
+  throw UnsupportedError(scene.source + ": " + element +
+                         " has a coordinate that is not zero and smaller than 2^-200 (6.2e-61) or larger than 2^200 "
+                         "(1.6e60); discontinuities are computed for coordinates in between");
+}
+
+void require_range(const Scene& scene) {
+  for (const SceneLight& light : scene.lights) {
+    require_range(scene, "light '" + light.name + "'", light_points(light.shape));
+    if (const auto* parallel = std::get_if<DirectionalLight>(&light.shape)) {
+      require_range(scene, "light '" + light.name + "'", {&parallel->direction, 1});
+    }
+  }
+  for (const SceneBlocker& blocker : scene.blockers) {
+    require_range(scene, "blocker '" + blocker.name + "'", blocker_points(blocker.shape));
+  }
+  for (const SceneReceiver& receiver : scene.receivers) {
+    require_range(scene, "receiver '" + receiver.name + "'", receiver.shape.points());
+  }
+}
+
 Parts parts_of(const Scene& scene, DiscontinuityResult& result) {
   if (scene.dimension != 3) throw UnsupportedError("discontinuities on receivers need a scene of dimension 3");
+  require_range(scene);
   Parts parts;
   for (std::uint32_t b = 0; b < scene.blockers.size(); ++b) {
     for (ConvexPart& part : convex_parts(scene.blockers[b])) {

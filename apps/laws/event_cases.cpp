@@ -85,7 +85,7 @@ class Builder {
   Point3 edge_direction() {
     if (!mix_.coplanar) return draw_beside(along_);
     const int turn = draw(-1, 1);
-    return moved({once_in(2) ? -across_.x : across_.x, once_in(2) ? across_.y : across_.y, across_.z}, turn, along_);
+    return moved(once_in(2) ? Point3{-across_.x, -across_.y, -across_.z} : across_, turn, along_);
   }
 
   /// A vector to other vertices: anywhere, or near the plane of the line and `across`.
@@ -218,14 +218,14 @@ void add_blocker(const Part& part, EventCase& drawn) {
   if (part.solid && !are_coplanar(part.points)) {
     const ConvexSolid solid = ConvexSolid::hull_of(part.points);
     element.index = index_in(solid, part);
-    drawn.blockers.push_back(solid);
+    drawn.blockers.emplace_back(solid);
   } else {
     Points points = part.points;
     if (part.solid) points.resize(3);
     if (ConvexPolygon::defect(points)) points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     ConvexPolygon polygon = ConvexPolygon::from_points(points);
     if (!polygon.is_flat()) polygon = ConvexPolygon::from_points({points[0], points[1], points[2]});
-    drawn.blockers.push_back(polygon);
+    drawn.blockers.emplace_back(polygon);
   }
   drawn.elements.push_back(element);
 }
@@ -263,7 +263,7 @@ EventCase draw_event(Domain domain, EventLight kind, const EventMix& mix) {
   if (once_in(6)) {
     const Point3 p = draw_vector(4);
     const Points extra{p, moved(p, 1, draw_vector(2)), moved(p, 1, draw_vector(2))};
-    if (!ConvexPolygon::defect(extra)) drawn.blockers.push_back(ConvexPolygon::from_points(extra));
+    if (!ConvexPolygon::defect(extra)) drawn.blockers.emplace_back(ConvexPolygon::from_points(extra));
   }
   drawn.choice = draw(0, 3);
   return drawn;

@@ -43,7 +43,7 @@ Verdict is_named_in_plane(const EventScene& scene, const Subject& subject, int o
   return verdict(found, "no surface in this plane has the order D" + std::to_string(order));
 }
 
-Verdict both(Verdict first, const Verdict& second) {
+Verdict both(const Verdict& first, const Verdict& second) {
   return first.kind == Verdict::Kind::holds ? second : first;
 }
 

@@ -185,9 +185,9 @@ std::vector<ExactVector> named_points(const EventElement& element, bool is_verte
                                       const std::vector<ConvexBlocker>& blockers) {
   const bool of_light = element.of == EventOf::light;
   const auto* solid = of_light ? nullptr : std::get_if<ConvexSolid>(&blockers[element.element]);
-  const Polygon points =
-      of_light ? vertices(light)
-               : std::visit([](const auto& shape) { return exact(shape.points()); }, blockers[element.element]);
+  Polygon points = of_light
+                       ? vertices(light)
+                       : std::visit([](const auto& shape) { return exact(shape.points()); }, blockers[element.element]);
   const std::size_t n = points.size();
   if (is_facet && !solid) return points;
   if (is_facet) {

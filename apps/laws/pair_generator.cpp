@@ -163,7 +163,7 @@ Emitter draw_emitter(Lights lights, const Points& blocker, double stretch) {
 /// The light moved along a direction, farther and farther, until it stands apart. It does in the end unless the
 /// direction runs along the plane of light or blocker. The last one does not: both normals have the direction of an
 /// integer vector with entries from -8 to 8, and 1, 17, 289 add up to zero with no such weights but zeros.
-Light placed(Emitter emitter, const ConvexPolygon& blocker) {
+Light placed(const Emitter& emitter, const ConvexPolygon& blocker) {
   const Point3 drawn = draw_vector(2);
   const int start = draw(0, 2);
   for (const Point3& direction : {drawn, Point3{1, 2, 5}, Point3{1, 17, 289}}) {

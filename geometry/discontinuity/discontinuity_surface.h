@@ -15,17 +15,16 @@ namespace gnomon {
 /// the light.
 ///
 /// Definition: it begins at the element that is farther from the light and ends where the first blocker or receiver
-/// stops
-///             it, or at the clip box.
+///             stops it, or at the clip box.
 struct DiscontinuitySurface {
   EventName name;
   std::vector<std::vector<Point3>> polygons;  ///< convex pieces, not overlapping; rounded to nearest
 };
 
 /// All edge-vertex surfaces of a scene of one light, cut by a box. Surfaces that are stopped where they begin, or lie
-/// outside the box, are left out.
+/// outside the box, are left out; so are pieces so thin that rounding leaves them fewer than three different corners.
 ///
-/// Requires:  flat receivers and a flat area light; a box with an interior.
+/// Requires:  flat receivers and a flat area light; a box with an interior; coordinates in range (event_range.h).
 /// Exactness: which surfaces there are and where they end is exact; coordinates are rounded once.
 /// Throws:    PreconditionError.
 /// After:     [P93] §4.2.3.2.

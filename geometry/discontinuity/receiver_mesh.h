@@ -114,7 +114,7 @@ class ReceiverMesh {
 /// Events are found and traced for all receivers together; any number of threads may ask for meshes then.
 class ReceiverDivision {
  public:
-  /// Requires: flat receivers; a flat area light.
+  /// Requires: flat receivers; a flat area light; coordinates in range (event_range.h).
   /// Throws:   PreconditionError.
   /// Cost:     events are found by searching hierarchies, and traced where they reach a receiver.
   ReceiverDivision(const Light& light, std::span<const ConvexBlocker> blockers,

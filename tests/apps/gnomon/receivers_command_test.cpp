@@ -86,6 +86,21 @@ TEST_F(ReceiversCommand, EndsWith4WhereNothingIsSupported) {
   EXPECT_THAT(planar.err, HasSubstr("dimension 3"));
 }
 
+TEST_F(ReceiversCommand, RefusesCoordinatesWhoseProductsVanishOrOverflow) {
+  for (const std::string tiny : {"5e-324", "-1e-61", "1e61"}) {
+    write("tiny.scene.json", R"({"gnomon": 1, "dimension": 3,
+      "lights": [{"name": "lamp", "shape": "polygon", "vertices": [[0, 0, 5], [0, 1, 5], [9, )" +
+                                 tiny + R"(, 5]]}],
+      "blockers": [{"name": "board", "shape": "polygon", "vertices": [[1, 0, 1], [2, 0, 1], [2, 1, 1]]}],
+      "receivers": [{"name": "floor", "shape": "polygon", "vertices": [[-9, -9, 0], [9, -9, 0], [0, 9, 0]]}]})");
+    for (const std::string command : {"receivers", "discontinuities"}) {
+      const Outcome run = gnomon(command + " tiny.scene.json --json -");
+      EXPECT_EQ(run.code, 4) << run.err;
+      EXPECT_THAT(run.err, HasSubstr("light 'lamp' has a coordinate")) << tiny;
+    }
+  }
+}
+
 TEST_F(ReceiversCommand, TellsTheSameWithAnyNumberOfThreads) {
   const Outcome one = gnomon("receivers examples/cornell_box.scene.json --light ceiling_lamp --threads 1 --json -");
   const Outcome three = gnomon("receivers examples/cornell_box.scene.json --light ceiling_lamp --threads 3 --json -");
