@@ -37,7 +37,7 @@ void add_options(CLI::App& app, ReportOptions& options) {
       "or a number outside the bound it claims.\n\n"
       "Examples:\n"
       "  gnomon report --out report_quick --quick\n"
-      "  gnomon report --out report_again --quick --quiet\n");
+      "  gnomon report --quick --out report_again\n");
 }
 
 std::vector<report::Measurement> measurements(const ReportOptions& options, Progress::Visibility shown) {

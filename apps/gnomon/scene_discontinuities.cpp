@@ -29,7 +29,7 @@ void require_range(const Scene& scene, const std::string& element, std::span<con
   if (std::all_of(points.begin(), points.end(), is_in_event_range)) return;
   throw UnsupportedError(scene.source + ": " + element +
                          " has a coordinate that is not zero and smaller than 2^-200 (6.2e-61) or larger than 2^200 "
-                         "(1.6e60); discontinuities are computed for coordinates in between");
+                         "(1.6e60); receivers are divided for coordinates in between");
 }
 
 void require_range(const Scene& scene) {
@@ -49,7 +49,6 @@ void require_range(const Scene& scene) {
 
 Parts parts_of(const Scene& scene, DiscontinuityResult& result) {
   if (scene.dimension != 3) throw UnsupportedError("discontinuities on receivers need a scene of dimension 3");
-  require_range(scene);
   Parts parts;
   for (std::uint32_t b = 0; b < scene.blockers.size(); ++b) {
     for (ConvexPart& part : convex_parts(scene.blockers[b])) {
@@ -123,6 +122,7 @@ DiscontinuityResult divided_receivers(const Scene& scene, const ReceiverSelectio
   using enum Progress::Visibility;
   DiscontinuityResult result{&scene, {}, {}, {}};
   const Parts parts = parts_of(scene, result);
+  require_range(scene);
   require_name("--receiver", "receiver", selection.receiver, scene.receivers);
   const std::vector<std::uint32_t> lights = supported_lights(scene, selection.light, parts);
   std::vector<std::uint32_t> chosen;

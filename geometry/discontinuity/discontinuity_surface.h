@@ -24,7 +24,7 @@ struct DiscontinuitySurface {
 /// All edge-vertex surfaces of a scene of one light, cut by a box. Surfaces that are stopped where they begin, or lie
 /// outside the box, are left out; so are pieces so thin that rounding leaves them fewer than three different corners.
 ///
-/// Requires:  flat receivers and a flat area light; a box with an interior; coordinates in range (event_range.h).
+/// Requires:  flat receivers and a flat area light; a box with an interior.
 /// Exactness: which surfaces there are and where they end is exact; coordinates are rounded once.
 /// Throws:    PreconditionError.
 /// After:     [P93] §4.2.3.2.

@@ -6,7 +6,7 @@
 
 namespace gnomon {
 
-/// The least and the largest size of a coordinate that is not zero in scenes whose discontinuities are asked for:
+/// The least and the largest size of a coordinate that is not zero in scenes whose receivers are to be divided:
 /// products of a few differences of such coordinates neither vanish nor overflow in doubles.
 inline constexpr double least_event_coordinate = 0x1p-200;
 inline constexpr double largest_event_coordinate = 0x1p200;

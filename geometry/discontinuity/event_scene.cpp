@@ -6,7 +6,6 @@
 #include <tuple>
 #include <utility>
 
-#include "geometry/discontinuity/event_range.h"
 #include "geometry/discontinuity/light_cuts.h"
 #include "geometry/errors.h"
 
@@ -25,14 +24,6 @@ Box3 box_around(const Shape& shape, std::span<const EventPoint> points) {
     box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
   }
   return box;
-}
-
-}  // namespace
-
-namespace {
-
-void require_range(const Point3& p) {
-  if (!is_in_event_range(p)) throw PreconditionError("a coordinate is too small or too large for discontinuities");
 }
 
 }  // namespace
@@ -88,7 +79,6 @@ class EventScene::Builder {
 
  private:
   PointId point(const Point3& p) {
-    require_range(p);
     // Zero has two signs in doubles, and one place in space.
     const Point3 q{p.x + 0.0, p.y + 0.0, p.z + 0.0};
     const auto [found, is_new] = ids_.try_emplace(q, static_cast<PointId>(scene_.points.size()));
@@ -108,7 +98,6 @@ class EventScene::Builder {
   void add_light(const DirectionalLight& light) {
     scene_.kind = LightKind::direction;
     const Point3& d = light.direction;
-    require_range(d);
     scene_.points.push_back({EventPoint::Kind::direction, {-d.x, -d.y, -d.z}, {}});
     add_light_vertex(static_cast<PointId>(scene_.points.size() - 1), 0);
   }

@@ -4,12 +4,14 @@
 #include <cmath>
 #include <map>
 
+#include "geometry/discontinuity/event_range.h"
 #include "geometry/discontinuity/plane_traces.h"
 #include "geometry/discontinuity/quick_sight.h"
 #include "geometry/discontinuity/receiver_mesh_data.h"
 #include "geometry/discontinuity/receiver_sight.h"
 #include "geometry/discontinuity/shaft.h"
 #include "geometry/discontinuity/wedge.h"
+#include "geometry/errors.h"
 #include "geometry/visibility/visible_fraction.h"
 
 namespace gnomon {
@@ -231,9 +233,35 @@ event::VertexShadows vertex_shadows(const EventScene& scene) {
   return event::VertexShadows(scene);
 }
 
+/// Of smaller coordinates the arrangement of segments is not to be trusted.
+void require_range(std::span<const Point3> points) {
+  if (std::all_of(points.begin(), points.end(), is_in_event_range)) return;
+  throw PreconditionError("a coordinate is too small or too large for receivers to be divided");
+}
+
+void require_range(const Light& light) {
+  if (const auto* area = std::get_if<AreaLight>(&light)) return require_range(area->polygon.points());
+  if (const auto* linear = std::get_if<LinearLight>(&light)) {
+    require_range({&linear->start, 1});
+    require_range({&linear->end, 1});
+  }
+  if (const auto* point = std::get_if<PointLight>(&light)) require_range({&point->position, 1});
+  if (const auto* parallel = std::get_if<DirectionalLight>(&light)) require_range({&parallel->direction, 1});
+}
+
+void require_range(const Light& light, std::span<const ConvexBlocker> blockers,
+                   std::span<const ConvexPolygon> receivers) {
+  require_range(light);
+  for (const ConvexBlocker& blocker : blockers) {
+    std::visit([](const auto& shape) { require_range(shape.points()); }, blocker);
+  }
+  for (const ConvexPolygon& receiver : receivers) require_range(receiver.points());
+}
+
 /// Intervals are true only while results are rounded upwards.
 EventScene prepared(const Light& light, std::span<const ConvexBlocker> blockers,
                     std::span<const ConvexPolygon> receivers) {
+  require_range(light, blockers, receivers);
   const CGAL::Protect_FPU_rounding<true> upward;
   return {light, blockers, receivers};
 }
