@@ -201,10 +201,10 @@ std::vector<ExactVector> named_points(const EventElement& element, bool is_verte
 }
 
 bool lies_in_plane(const EventName& name, const EventCase& drawn, const ExactPlane& plane) {
-  const bool is_facet = name.kind == EventKind::coplanar_plane;
+  const bool is_facet = name.kind == EventKind::coplanar_plane, are_edges = name.kind == EventKind::coplanar_edges;
   for (const bool is_vertex : {true, false}) {
-    const Polygon points =
-        named_points(is_vertex ? name.vertex : name.edge, is_vertex, is_facet, drawn.light, drawn.blockers);
+    const Polygon points = named_points(is_vertex ? name.vertex : name.edge, is_vertex && !are_edges, is_facet,
+                                        drawn.light, drawn.blockers);
     if (points.empty() || common_side(plane, points) != 0) return false;
   }
   return true;

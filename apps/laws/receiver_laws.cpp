@@ -147,6 +147,13 @@ std::vector<ExactPlane> named_planes(const ReceiverCase& drawn, const DividedRec
       const auto ends = named_points(name.edge, false, false, drawn.light, drawn.blockers);
       planes.push_back(plane_through(vertex[0], ends[0], ends[1]));
     }
+    if (name.kind == EventKind::coplanar_edges) {
+      const auto ends = named_points(name.edge, false, false, drawn.light, drawn.blockers);
+      for (const ExactVector& p : named_points(name.vertex, false, false, drawn.light, drawn.blockers)) {
+        const ExactVector normal = cross(ends[1] - ends[0], p - ends[0]);
+        if (dot(normal, normal) != 0) planes.push_back(plane_through(p, ends[0], ends[1]));
+      }
+    }
     if (name.kind != EventKind::contact && name.kind != EventKind::coplanar_plane) continue;
     for (const auto& loop : loops_of(drawn.blockers[name.edge.element])) planes.push_back(plane_of(loop));
   }

@@ -26,7 +26,7 @@ Polygon counterclockwise(Polygon polygon) {
 Polygon flat(const ConvexPolygon& light) {
   Polygon polygon;
   for (const std::uint32_t i : light.corners()) polygon.push_back({light.points()[i].x, light.points()[i].y});
-  return counterclockwise(std::move(polygon));
+  return counterclockwise(polygon);
 }
 
 /// The shadow of a blocker on the light's plane, seen from p.
@@ -37,7 +37,7 @@ Polygon shadow(const ConvexPolygon& blocker, const Point3& p, double z) {
     const Number t = (Number(z) - p.z) / (Number(b.z) - p.z);
     polygon.push_back({p.x + t * (Number(b.x) - p.x), p.y + t * (Number(b.y) - p.y)});
   }
-  return counterclockwise(std::move(polygon));
+  return counterclockwise(polygon);
 }
 
 /// Arcs of a boundary that has the visible part on its left.

@@ -1,9 +1,9 @@
 #include "apps/report/stopwatch.h"
 
 #include <malloc.h>
-#include <time.h>
 
 #include <algorithm>
+#include <ctime>
 #include <fstream>
 #include <string>
 

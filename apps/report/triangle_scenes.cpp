@@ -39,7 +39,7 @@ TriangleScene drawn_scene(std::size_t n, std::size_t points, std::size_t seed) {
   Draws draws(seed);
   TriangleScene scene{{ConvexPolygon::from_points({{-.5, -.5, 4}, {-.5, .5, 4}, {.5, .5, 4}, {.5, -.5, 4}})}, {}, {}};
   const double radius = 0.9 / std::sqrt(static_cast<double>(n)) + 0.02;
-  for (std::size_t i = 0; i < n; ++i) scene.blockers.push_back(triangle(draws, radius));
+  for (std::size_t i = 0; i < n; ++i) scene.blockers.emplace_back(triangle(draws, radius));
   for (std::size_t i = 0; i < points; ++i) {
     const double x = draws.between(-1, 1);
     scene.points.push_back({x, draws.between(-1, 1), 0});

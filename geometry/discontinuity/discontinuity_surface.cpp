@@ -249,7 +249,7 @@ class SurfaceBuilder {
 std::vector<DiscontinuitySurface> discontinuity_surfaces(const Light& light, std::span<const ConvexBlocker> blockers,
                                                          std::span<const ConvexPolygon> receivers, const Box3& box) {
   const CGAL::Protect_FPU_rounding<true> upward;
-  const EventScene scene(light, blockers, receivers);
+  EventScene scene(light, blockers, receivers);
   SurfaceBuilder builder(scene, box);
   std::vector<DiscontinuitySurface> surfaces;
   event::for_each_wedge(scene, [&](const Wedge& wedge) {

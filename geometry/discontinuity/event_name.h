@@ -20,6 +20,7 @@ struct EventElement {
 /// What happens along a discontinuity.
 enum class EventKind : std::uint8_t {
   vertex_edge,     ///< an edge and a vertex are seen in line, in front of the light (EV); light edges among them
+  coplanar_edges,  ///< two edges in one plane are seen in line, in front of the light; light edges among them
   coplanar_plane,  ///< a flat blocker, or a facet of a solid, is seen from its side in front of the light
   contact,         ///< a blocker touches the receiver or passes through it
   light_plane,     ///< the light shows its edge
@@ -39,7 +40,8 @@ constexpr std::string_view name(Extremal extremal) {
 }
 
 constexpr std::string_view name(EventKind kind) {
-  constexpr std::string_view names[] = {"vertex_edge", "coplanar_plane", "contact", "light_plane", "border"};
+  constexpr std::string_view names[] = {"vertex_edge", "coplanar_edges", "coplanar_plane",
+                                        "contact",     "light_plane",    "border"};
   return names[static_cast<int>(kind)];
 }
 
@@ -49,7 +51,7 @@ constexpr std::string_view name(EventKind kind) {
 /// After: [P93] §4.2.3.2.
 struct EventName {
   EventKind kind = EventKind::vertex_edge;
-  EventElement vertex;  ///< of vertex_edge; else as `edge`
+  EventElement vertex;  ///< of coplanar_edges the edge nearer to the light; of all but vertex_edge else as `edge`
   EventElement edge;    ///< of a facet or a flat blocker: its index in `index`
   std::uint8_t order = 2;
   Extremal extremal = Extremal::none;

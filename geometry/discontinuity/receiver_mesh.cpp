@@ -44,7 +44,7 @@ struct AllTraces {
   std::vector<EventName> names;
 };
 
-AllTraces all_traces(const EventScene& scene) {
+AllTraces all_traces(EventScene& scene) {
   AllTraces all{std::vector<std::vector<event::Trace>>(scene.receivers.size()), {}};
   event::WedgeTracer tracer(scene);
   std::vector<event::Trace> traces;
@@ -266,7 +266,7 @@ EventScene prepared(const Light& light, std::span<const ConvexBlocker> blockers,
   return {light, blockers, receivers};
 }
 
-AllTraces traced(const EventScene& scene) {
+AllTraces traced(EventScene& scene) {
   const CGAL::Protect_FPU_rounding<true> upward;
   return all_traces(scene);
 }
@@ -275,7 +275,7 @@ AllTraces traced(const EventScene& scene) {
 
 ReceiverDivision::ReceiverDivision(const Light& light, std::span<const ConvexBlocker> blockers,
                                    std::span<const ConvexPolygon> receivers) {
-  const auto scene = std::make_shared<const EventScene>(prepared(light, blockers, receivers));
+  const auto scene = std::make_shared<EventScene>(prepared(light, blockers, receivers));
   data_ = std::make_shared<const Data>(
       Data{light, {blockers.begin(), blockers.end()}, scene, traced(*scene), vertex_shadows(*scene)});
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "geometry/discontinuity/coplanar_pairs.h"
+
 namespace gnomon::event {
 namespace {
 
@@ -152,7 +154,7 @@ Extremal extremal(const EventScene& scene, const Wedge& wedge, const Shape& shap
   if (light.cut() || blocker.cut()) return Extremal::none;
   const bool same = (light.above && blocker.above) || (light.below && blocker.below);
   if (!same) return Extremal::occlusion;
-  return wedge.kind == WedgeKind::from_light_vertex ? Extremal::umbra : Extremal::none;
+  return wedge.far || wedge.kind == WedgeKind::from_light_vertex ? Extremal::umbra : Extremal::none;
 }
 
 bool is_on_plane(const EventScene& scene, const Wedge& wedge, PointId p) {
@@ -191,14 +193,25 @@ const Element& element(const std::vector<Element>& own, const std::vector<Elemen
   return i < own.size() ? own[i] : cuts[i - own.size()];
 }
 
+EventName pair_name(const EventScene& scene, const Wedge& wedge) {
+  EventName name{EventKind::coplanar_edges, wedge.far->name, scene.edges[wedge.edge].name, 1, Extremal::none};
+  if (scene.kind == LightKind::linear) name.order = 0;
+  if (!wedge.far->is_on_light) return name;
+  for (const FaceAtEdge& face : scene.edges[wedge.edge].faces) {
+    if (name.extremal == Extremal::none) name.extremal = extremal(scene, wedge, scene.shapes[face.shape]);
+  }
+  return name;
+}
+
 }  // namespace
 
-void for_each_wedge(const EventScene& scene, const std::function<void(const Wedge&)>& take) {
+void for_each_wedge(EventScene& scene, const std::function<void(const Wedge&)>& take) {
   wedges_from_light_vertices(scene, take);
   if (scene.kind == LightKind::point || scene.kind == LightKind::direction) return;
   wedges_in_facet_planes(scene, take);
   EdgeSearch search(scene);
   for (std::uint32_t v = 0; v < scene.vertices.size(); ++v) wedges_at_vertex(scene, v, search, take);
+  for_each_coplanar_wedge(scene, take);
 }
 
 EventName event_name(const EventScene& scene, const Wedge& wedge) {
@@ -206,6 +219,7 @@ EventName event_name(const EventScene& scene, const Wedge& wedge) {
     const EventElement& facet = scene.cutting_facets[*wedge.facet].name;
     return {EventKind::coplanar_plane, facet, facet, 1, Extremal::none};
   }
+  if (wedge.far) return pair_name(scene, wedge);
   EventName name;
   const bool from_vertex = wedge.kind == WedgeKind::from_light_vertex;
   const bool from_edge = wedge.kind == WedgeKind::from_light_edge;

@@ -21,7 +21,15 @@ enum class WedgeKind : std::uint8_t {
   apex_first,         ///< past the apex, a blocker's vertex, then past a blocker's edge
 };
 
-/// A vertex and an edge in line.
+/// The edge of a coplanar pair that is nearer to the light, by its ends.
+struct FarEdge {
+  PointId a = 0;
+  PointId b = 0;
+  bool is_on_light = false;
+  EventElement name;
+};
+
+/// A vertex and an edge in line; or, of a coplanar pair, both edges and a place in their plane.
 struct Wedge {
   WedgeKind kind = WedgeKind::from_light_vertex;
   PointId apex = 0;
@@ -30,12 +38,14 @@ struct Wedge {
   std::uint32_t vertex = 0;              ///< index among the light's or the blockers' vertices
   std::uint32_t edge = 0;                ///< index among the light's or the blockers' edges
   std::optional<std::uint32_t> facet{};  ///< of a facet whose plane cuts the light: then the wedge lies in that plane
+  std::optional<FarEdge> far{};          ///< of a coplanar pair: only lines that meet it beyond the edge count
 };
 
 /// Calls `take` with every wedge that may reach the light and something beyond, and with some others.
 ///
-/// Cost: for each blocker's vertex two searches with the pyramid between it and the light.
-void for_each_wedge(const EventScene& scene, const std::function<void(const Wedge&)>& take);
+/// Cost:  for each blocker's vertex two searches with the pyramid between it and the light; see coplanar_pairs.h.
+/// After: `scene` is as before; points are added for the time of a call only.
+void for_each_wedge(EventScene& scene, const std::function<void(const Wedge&)>& take);
 
 /// The event's name, its order and whether it is extremal.
 EventName event_name(const EventScene& scene, const Wedge& wedge);
@@ -83,6 +93,7 @@ class WedgeTracer {
   Nodes light_section(Pencil& pencil) const;
   bool passes_through_apex(const Pencil& pencil, const Nodes& segment) const;
   bool is_before_light(Pencil& pencil, const Wedge& wedge, const Shape& shape, Nodes& nodes);
+  bool keep_far(Pencil& pencil, const Wedge& wedge);
   bool find_allowed(Pencil& pencil, const Wedge& wedge);
   bool subtract_towards_light(Pencil& pencil, const Wedge& wedge, Cone cone);
   bool collect_obstacles(Pencil& pencil, const Wedge& wedge, Cone cone);

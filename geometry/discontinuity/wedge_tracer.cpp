@@ -135,6 +135,7 @@ WedgeTracer::Nodes WedgeTracer::light_section(Pencil& pencil) const {
   for (const LightEdge& edge : scene_.light_edges) {
     const int s = pencil.side(edge.a), t = pencil.side(edge.b);
     if (s == 0) nodes.push_back(pencil.add_point(edge.a));
+    if (t == 0 && scene_.kind == LightKind::linear) nodes.push_back(pencil.add_point(edge.b));
     if (s * t < 0) nodes.push_back(s > 0 ? pencil.add_crossing(edge.a, edge.b) : pencil.add_crossing(edge.b, edge.a));
   }
   return nodes;
@@ -149,6 +150,15 @@ bool WedgeTracer::passes_through_apex(const Pencil& pencil, const Nodes& segment
 }
 
 FunctionId WedgeTracer::light_function(Pencil& pencil, const Wedge& wedge) {
+  if (!light_function_ && scene_.kind == LightKind::linear) {
+    // In the plane of a linear light any plane through it does that leaves this plane.
+    const LightEdge& light = scene_.light_edges[0];
+    PointId off = 0;
+    while (pencil.side(off) == 0) ++off;
+    const int side =
+        orientation(scene_.points[light.a], scene_.points[light.b], scene_.points[off], scene_.points[wedge.apex]);
+    light_function_ = pencil.add_plane({light.a, light.b, off}, side);
+  }
   if (!light_function_) {
     const int side = wedge.kind == WedgeKind::from_light_vertex ? 1 : scene_.light_side(wedge.apex);
     light_function_ = pencil.add_plane(scene_.light_plane, side);
@@ -158,7 +168,8 @@ FunctionId WedgeTracer::light_function(Pencil& pencil, const Wedge& wedge) {
 
 /// Keeps of a section what lies on the apex's side of the light's plane. Returns: false if nothing does.
 bool WedgeTracer::is_before_light(Pencil& pencil, const Wedge& wedge, const Shape& shape, Nodes& nodes) {
-  if (shape.is_in_front && shape.is_behind) return pencil.clip(nodes, light_function(pencil, wedge), 1);
+  const bool is_linear = scene_.kind == LightKind::linear;
+  if (is_linear || (shape.is_in_front && shape.is_behind)) return pencil.clip(nodes, light_function(pencil, wedge), 1);
   if (!shape.is_in_front && !shape.is_behind) return false;
   return !scene_.is_two_sided ? shape.is_in_front : shape.is_in_front == (scene_.light_side(wedge.apex) > 0);
 }
@@ -187,19 +198,43 @@ bool WedgeTracer::subtract_towards_light(Pencil& pencil, const Wedge& wedge, Con
   return !allowed_.empty();
 }
 
+/// Keeps the lines that meet the far edge of a coplanar pair before the light. Returns: false if there are none.
+bool WedgeTracer::keep_far(Pencil& pencil, const Wedge& wedge) {
+  if (!wedge.far || wedge.far->a == wedge.a) return true;
+  const Nodes segment{pencil.add_point(wedge.far->a), pencil.add_point(wedge.far->b)};
+  if (pencil.is_apex(segment[0]) || pencil.is_apex(segment[1]) || passes_through_apex(pencil, segment)) return true;
+  std::vector<RayRange> kept;
+  for (const Cone cone : {Cone::towards, Cone::away}) {
+    if (cone == Cone::away && wedge.kind != WedgeKind::apex_first) continue;
+    Nodes nodes = segment;
+    if (!pencil.clip_to(nodes, cone)) continue;
+    const bool beyond_edge = wedge.kind == WedgeKind::edge_first;
+    if (cone == Cone::towards && !pencil.clip(nodes, Pencil::x, beyond_edge ? -1 : 1)) continue;
+    const bool may_pass_light = !wedge.far->is_on_light && (beyond_edge || cone == Cone::away);
+    if (may_pass_light && !pencil.clip(nodes, light_function(pencil, wedge), 1)) continue;
+    const auto range = pencil.range(nodes, cone);
+    RayRange common = allowed_[0];
+    if (range && intersect(pencil, common, *range)) kept.push_back(common);
+  }
+  if (kept.size() == 2 && pencil.order(kept[0].first, kept[1].first) < 0) std::swap(kept[0], kept[1]);
+  allowed_.swap(kept);
+  return !allowed_.empty();
+}
+
 /// The lines from the light that reach the far side of the apex. Returns: false if there are none.
 bool WedgeTracer::find_allowed(Pencil& pencil, const Wedge& wedge) {
   const Cone cone = receivers_cone(wedge.kind);
   allowed_.assign(1, {{Pencil::end_a, Cone::towards}, {Pencil::end_b, Cone::towards}});
-  if (wedge.kind == WedgeKind::from_light_vertex) return true;
-  if (wedge.kind != WedgeKind::from_light_edge) {
+  const bool from_light_vertex = wedge.kind == WedgeKind::from_light_vertex;
+  if (!from_light_vertex && wedge.kind != WedgeKind::from_light_edge) {
     Nodes light = light_section(pencil);
     if (light.size() < 2 || !pencil.clip_to(light, opposite(cone))) return false;
     if (wedge.kind == WedgeKind::edge_first && !pencil.clip(light, Pencil::x, -1)) return false;
     const auto range = pencil.range(light, opposite(cone));
     if (!range || !intersect(pencil, allowed_[0], *range)) return false;
   }
-  return subtract_towards_light(pencil, wedge, opposite(cone));
+  if (!keep_far(pencil, wedge)) return false;
+  return from_light_vertex || subtract_towards_light(pencil, wedge, opposite(cone));
 }
 
 /// Returns: false if a blocker on the apex stops every line.

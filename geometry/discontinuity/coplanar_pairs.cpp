@@ -1,0 +1,234 @@
+#include "geometry/discontinuity/coplanar_pairs.h"
+
+#include <algorithm>
+
+#include "geometry/discontinuity/shaft.h"
+
+namespace gnomon::event {
+namespace {
+
+/// A plane by three of its points, in general position.
+using PlaneIds = std::array<PointId, 3>;
+
+bool share_shape(const BlockerEdge& p, const BlockerEdge& q) {
+  return std::any_of(p.faces.begin(), p.faces.end(), [&](const FaceAtEdge& f) {
+    return std::any_of(q.faces.begin(), q.faces.end(), [&](const FaceAtEdge& g) { return f.shape == g.shape; });
+  });
+}
+
+class CoplanarPairs {
+ public:
+  CoplanarPairs(EventScene& scene, const std::function<void(const Wedge&)>& take) : scene_(scene), take_(take) {}
+
+  void with_light_edges(EdgeId near) {
+    for (const auto* list : {&scene_.light_edges, &scene_.cut_edges}) {
+      for (const LightEdge& e : *list) take_pair(near, {e.a, e.b, true, e.name});
+    }
+  }
+
+  void with_blocker_edges(EdgeId near) {
+    const BlockerEdge& edge = scene_.edges[near];
+    const std::array<Point3, 2> ends{scene_.points[edge.a].input, scene_.points[edge.b].input};
+    scene_.shape_boxes.search(shaft(scene_, ends), found_);
+    far_.clear();
+    for (const std::uint32_t s : found_) {
+      for (const ShapeEdge& e : scene_.shapes[s].edges) {
+        if (scene_.edges[e.edge].may_be_seen && !share_shape(edge, scene_.edges[e.edge])) far_.push_back(e.edge);
+      }
+    }
+    std::sort(far_.begin(), far_.end());
+    far_.erase(std::unique(far_.begin(), far_.end()), far_.end());
+    for (const EdgeId e : far_) {
+      const BlockerEdge& far = scene_.edges[e];
+      take_pair(near, {far.a, far.b, false, far.name}, e);
+    }
+  }
+
+  void in_plane_of(std::uint32_t f) {
+    const CuttingFacet& facet = scene_.cutting_facets[f];
+    find_apexes({facet.loop[0], facet.loop[1], facet.loop[2]});
+    for (const EdgeId e : facet.edges) {
+      take_wedges(e, {facet.light_ends[0], facet.light_ends[1], true, facet.name}, f);
+    }
+    forget_apexes();
+  }
+
+ private:
+  int side(const PlaneIds& plane, PointId p) const {
+    if (std::find(plane.begin(), plane.end(), p) != plane.end()) return 0;
+    return orientation(scene_.points[plane[0]], scene_.points[plane[1]], scene_.points[plane[2]], scene_.points[p]);
+  }
+
+  template <class Points, class IdOf>
+  bool is_cut(const PlaneIds& plane, const Points& points, const IdOf& id_of) const {
+    bool above = false, below = false;
+    for (const auto& p : points) {
+      const int s = side(plane, id_of(p));
+      above = above || s > 0;
+      below = below || s < 0;
+      if (above && below) return true;
+    }
+    return false;
+  }
+
+  /// Faces on both sides: no part of an outline, as seen in the plane.
+  bool is_between_faces(const PlaneIds& plane, EdgeId e) const {
+    return is_cut(plane, scene_.edges[e].faces, [](const FaceAtEdge& f) { return f.third; });
+  }
+
+  bool cuts_light(const PlaneIds& plane) const {
+    return is_cut(plane, scene_.light_vertices, [](const LightVertex& v) { return v.point; });
+  }
+
+  bool meets_receivers(const PlaneIds& plane) const {
+    return std::any_of(scene_.receivers.begin(), scene_.receivers.end(),
+                       [&](const Shape& r) { return is_cut(plane, r.corners, [](PointId p) { return p; }); });
+  }
+
+  /// A pair of which one edge lies on the other's line has no plane of its own.
+  std::optional<PlaneIds> common_plane(const BlockerEdge& near, const FarEdge& far) const {
+    const auto& p = scene_.points;
+    if (orientation(p[near.a], p[near.b], p[far.a], p[far.b]) != 0) return {};
+    for (const PointId third : {far.a, far.b}) {
+      if (Pencil(p, third, near.a, near.b).is_plane()) return PlaneIds{near.a, near.b, third};
+    }
+    return {};
+  }
+
+  void take_pair(EdgeId near, const FarEdge& far, std::optional<EdgeId> far_edge = {}) {
+    const std::optional<PlaneIds> plane = common_plane(scene_.edges[near], far);
+    if (!plane || is_between_faces(*plane, near)) return;
+    if (far_edge && (is_between_faces(*plane, *far_edge) || !cuts_light(*plane))) return;
+    if (!meets_receivers(*plane)) return;
+    find_apexes(*plane);
+    take_wedges(near, far, {});
+    if (far_edge) take_wedges_from_light(near, far, *plane);
+    forget_apexes();
+  }
+
+  /// Where the edge from `p` to `q` passes through the plane, between its sides.
+  PointId add_crossing(const PlaneIds& plane, PointId p, PointId q) {
+    const auto height = [&](PointId x) {
+      return bracket<ExactReal>(scene_.points[plane[0]], scene_.points[plane[1]], scene_.points[plane[2]],
+                                scene_.points[x]);
+    };
+    const ExactReal at_p = height(p), at_q = height(q);
+    const bool falls = CGAL::sign(at_p) == CGAL::POSITIVE;
+    const ExactReal up = falls ? at_p : -at_p, down = falls ? -at_q : at_q;
+    const auto c = coordinates<ExactReal>(scene_.points[p]), d = coordinates<ExactReal>(scene_.points[q]);
+    EventPoint point;
+    point.kind = EventPoint::Kind::constructed;
+    point.exact.emplace();
+    for (std::size_t k = 0; k < 4; ++k) (*point.exact)[k] = down * c[k] + up * d[k];
+    point.input = rounded(*point.exact);
+    scene_.points.push_back(std::move(point));
+    return static_cast<PointId>(scene_.points.size() - 1);
+  }
+
+  static Point3 rounded(const Quadruple<ExactReal>& p) {
+    const auto middle = [&](std::size_t k) {
+      const Interval x = enclosure(p[k]) / enclosure(p[3]);
+      return x.inf() / 2 + x.sup() / 2;
+    };
+    return {middle(0), middle(1), middle(2)};
+  }
+
+  /// Shapes that the plane may cut.
+  void search_along(const PlaneIds& plane) {
+    std::vector<RoughHalfSpace> both_sides;
+    const auto is_input = [&](PointId p) { return scene_.points[p].kind == EventPoint::Kind::input; };
+    if (std::all_of(plane.begin(), plane.end(), is_input)) {
+      const Point3 &p = scene_.points[plane[0]].input, &q = scene_.points[plane[1]].input,
+                   &r = scene_.points[plane[2]].input;
+      both_sides.push_back(rough_half_space(p, difference(q, p), difference(r, p)));
+      both_sides.push_back(reversed(both_sides[0]));
+    }
+    scene_.shape_boxes.search(both_sides, found_);
+  }
+
+  /// The corners in the plane of blockers that it cuts, and where it cuts those of their edges that may be seen.
+  void find_apexes(const PlaneIds& plane) {
+    point_count_ = scene_.points.size();
+    apexes_.clear();
+    search_along(plane);
+    for (const std::uint32_t s : found_) {
+      const Shape& shape = scene_.shapes[s];
+      if (!is_cut(plane, shape.corners, [](PointId p) { return p; })) continue;
+      for (const PointId p : shape.corners) {
+        if (side(plane, p) == 0) apexes_.push_back(p);
+      }
+      for (const ShapeEdge& e : shape.edges) {
+        if (!scene_.edges[e.edge].may_be_seen || side(plane, e.a) * side(plane, e.b) >= 0) continue;
+        apexes_.push_back(add_crossing(plane, e.a, e.b));
+      }
+    }
+    std::erase_if(apexes_, [&](PointId p) {
+      const int s = scene_.light_side(p);
+      return s == 0 || (s < 0 && !scene_.is_two_sided);
+    });
+  }
+
+  void forget_apexes() { scene_.points.resize(point_count_); }
+
+  /// True of a point of a segment between two points of the input.
+  bool lies_on(PointId p, PointId a, PointId b) const {
+    if (Pencil(scene_.points, p, a, b).is_plane()) return false;
+    const auto x = coordinates<ExactReal>(scene_.points[p]), c = coordinates<ExactReal>(scene_.points[a]),
+               d = coordinates<ExactReal>(scene_.points[b]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const ExactReal from_a = x[k] - x[3] * c[k], from_b = x[k] - x[3] * d[k];
+      if (CGAL::sign(from_a) * CGAL::sign(from_b) > 0) return false;
+    }
+    return true;
+  }
+
+  void take_wedges(EdgeId near, const FarEdge& far, std::optional<std::uint32_t> facet) {
+    const PointId a = scene_.edges[near].a, b = scene_.edges[near].b;
+    for (const PointId apex : apexes_) {
+      if (lies_on(apex, a, b)) {
+        // A blocker that touches the near edge: all lines through the apex meet that one.
+        take_({far.is_on_light ? WedgeKind::from_light_edge : WedgeKind::edge_first, apex, far.a, far.b, 0, near, facet,
+               far});
+        continue;
+      }
+      for (const WedgeKind kind : {WedgeKind::edge_first, WedgeKind::apex_first}) {
+        take_({kind, apex, a, b, 0, near, facet, far});
+      }
+    }
+  }
+
+  void take_wedges_from_light(EdgeId near, const FarEdge& far, const PlaneIds& plane) {
+    for (const auto* list : {&scene_.light_edges, &scene_.cut_edges}) {
+      for (const LightEdge& e : *list) {
+        if (side(plane, e.a) * side(plane, e.b) >= 0) continue;
+        const PointId apex = add_crossing(plane, e.a, e.b);
+        take_({WedgeKind::from_light_vertex, apex, scene_.edges[near].a, scene_.edges[near].b, 0, near, {}, far});
+      }
+    }
+  }
+
+  EventScene& scene_;
+  const std::function<void(const Wedge&)>& take_;
+  std::vector<std::uint32_t> found_;
+  std::vector<EdgeId> far_;
+  std::vector<PointId> apexes_;
+  std::size_t point_count_ = 0;
+};
+
+}  // namespace
+
+void for_each_coplanar_wedge(EventScene& scene, const std::function<void(const Wedge&)>& take) {
+  if (scene.kind != LightKind::area && scene.kind != LightKind::linear) return;
+  CoplanarPairs pairs(scene, take);
+  for (EdgeId e = 0; e < scene.edges.size(); ++e) {
+    const BlockerEdge& edge = scene.edges[e];
+    const auto is_served = [&](PointId p) { return scene.is_two_sided || scene.light_side(p) > 0; };
+    if (!edge.may_be_seen || (!is_served(edge.a) && !is_served(edge.b))) continue;
+    pairs.with_light_edges(e);
+    if (scene.kind == LightKind::area) pairs.with_blocker_edges(e);
+  }
+  if (scene.kind != LightKind::area) return;
+  for (std::uint32_t f = 0; f < scene.cutting_facets.size(); ++f) pairs.in_plane_of(f);
+}
+
+}  // namespace gnomon::event

@@ -1,0 +1,158 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "tests/geometry/discontinuity/mesh_probe.h"
+
+namespace gnomon {
+namespace {
+
+using Blockers = std::vector<ConvexBlocker>;
+
+const ConvexPolygon ground = rectangle(-0.25, -0.25, 0.25, 0.25, 0, Facing::up);
+const Light long_lamp = lamp(rectangle(-1, -4, 1, 4, 3, Facing::down));
+
+/// Boards on both sides of x = 0, the one on the right above: points to the right see through, those to the left do
+/// not.
+Blockers boards(double half_length) {
+  return {rectangle(0, -half_length, 8, half_length, 2, Facing::up),
+          rectangle(-8, -half_length, 0, half_length, 1, Facing::up)};
+}
+
+/// Adds boards that leave only |y| < 1/8 open at a height.
+Blockers covered(Blockers blockers, double z) {
+  blockers.push_back(rectangle(-9, 0.125, 9, 30, z, Facing::up));
+  blockers.push_back(rectangle(-9, -30, 9, -0.125, z, Facing::up));
+  return blockers;
+}
+
+ReceiverMesh mesh_of(const Light& light, const Blockers& blockers) {
+  return receiver_meshes(light, blockers, std::vector{ground}).front();
+}
+
+/// The length of the line x = 0 that bears a name which `is_meant` holds for.
+template <class Predicate>
+double length_on_axis(const ReceiverMesh& mesh, const Predicate& is_meant) {
+  const std::vector<Point3> points = mesh.vertices();
+  double length = 0;
+  for (const MeshEdge& edge : mesh.edges()) {
+    const Point3 &p = points[edge.source], &q = points[edge.target];
+    if (p.x != 0 || q.x != 0) continue;
+    if (std::any_of(edge.names.begin(), edge.names.end(), [&](auto n) { return is_meant(mesh.names()[n]); })) {
+      length += std::abs(q.y - p.y);
+    }
+  }
+  return length;
+}
+
+/// Whether an event is that of the coplanar edges at x = 0 of blockers 0 and 1.
+bool is_of_boards(const EventName& name) {
+  const auto is_edge = [](const EventElement& e, std::uint32_t board) {
+    return e.of == EventOf::blocker && e.element == board && e.index == (board == 0 ? 3U : 1U);
+  };
+  return name.kind == EventKind::coplanar_edges && name.order == 1 && is_edge(name.vertex, 0) && is_edge(name.edge, 1);
+}
+
+void expect_regions(const ReceiverMesh& mesh, ReceiverRegion left, ReceiverRegion right) {
+  for (const double y : {-0.2, -0.01, 0.1}) {
+    const auto at_left = face_at(mesh, exact(Point3{-0.0078125, y, 0}));
+    const auto at_right = face_at(mesh, exact(Point3{0.0078125, y, 0}));
+    ASSERT_TRUE(at_left && at_right);
+    EXPECT_EQ(mesh.faces()[*at_left].region, left);
+    EXPECT_EQ(mesh.faces()[*at_right].region, right);
+  }
+}
+
+void expect_definition(const ReceiverMesh& mesh, const Light& light, const Blockers& blockers) {
+  EXPECT_TRUE(mesh.areas_add_up());
+  const ProbeResult result = compare_with_definition(mesh, ground, light, blockers, 200, 11);
+  EXPECT_EQ(result.different, 0U);
+  EXPECT_GT(result.compared - result.unresolved, 100U);
+}
+
+void expect_slit(const Blockers& blockers) {
+  const ReceiverMesh mesh = mesh_of(long_lamp, blockers);
+  EXPECT_EQ(length_on_axis(mesh, is_of_boards), 0.5);
+  expect_regions(mesh, ReceiverRegion::umbra, ReceiverRegion::penumbra);
+  expect_definition(mesh, long_lamp, blockers);
+}
+
+TEST(CoplanarPairs, OfBlockersAreTracedWhereTheyOverlapAllAcrossTheLight) {
+  expect_slit(boards(40));
+}
+
+TEST(CoplanarPairs, OfMeetingLinesAreTracedAllAcrossTheLight) {
+  Blockers blockers = boards(40);
+  blockers[0] = ConvexPolygon::from_points({{0, -40, 1.75}, {8, -40, 1.75}, {8, 40, 2.25}, {0, 40, 2.25}});
+  expect_slit(blockers);
+}
+
+TEST(CoplanarPairs, OfBlockersAreTracedWhereOthersHideAllFourEnds) {
+  for (const double z : {0.5, 1.0, 1.5, 2.0, 2.5}) {
+    SCOPED_TRACE(z);
+    expect_slit(covered(boards(1.5), z));
+  }
+}
+
+TEST(CoplanarPairs, OfBlockersEndWhereOthersLeaveNoGapBeforeThem) {
+  Blockers blockers = covered(boards(1.5), 0.5);
+  blockers.back() = box({-9, -30, 2.25}, {9, -0.125, 2.375});
+  const ReceiverMesh mesh = mesh_of(long_lamp, blockers);
+  // Beyond y = 23/120 the line from the board's edge at z = 1/2 to the box's edge at z = 19/8 passes.
+  EXPECT_DOUBLE_EQ(length_on_axis(mesh, is_of_boards), 0.25 + 23.0 / 120);
+  EXPECT_EQ(compare_with_definition(mesh, ground, long_lamp, blockers, 200, 11).different, 0U);
+}
+
+TEST(CoplanarPairs, OfLightAndBlockerAreTracedWhereOthersHideAllFourEnds) {
+  const Light light = lamp(rectangle(0, -4, 2, 4, 3, Facing::down));
+  const auto is_meant = [](const EventName& name) {
+    return name.kind == EventKind::coplanar_edges && name.order == 1 && name.vertex.of == EventOf::light &&
+           name.edge == EventElement{EventOf::blocker, 0, 3} && name.extremal == Extremal::umbra;
+  };
+  for (const double z : {0.5, 1.0, 2.5}) {
+    SCOPED_TRACE(z);
+    const Blockers blockers = covered({rectangle(0, -1.5, 8, 1.5, 1, Facing::up)}, z);
+    const ReceiverMesh mesh = mesh_of(light, blockers);
+    EXPECT_EQ(length_on_axis(mesh, is_meant), 0.5);
+    expect_regions(mesh, ReceiverRegion::penumbra, ReceiverRegion::umbra);
+    expect_definition(mesh, light, blockers);
+  }
+}
+
+TEST(CoplanarPairs, OfALinearLightAndABlockerHaveOrderZero) {
+  const Light light = LinearLight{{0, -4, 3}, {0, 4, 3}};
+  const auto is_meant = [](const EventName& name) {
+    return name.kind == EventKind::coplanar_edges && name.order == 0 && name.vertex.of == EventOf::light &&
+           name.edge == EventElement{EventOf::blocker, 0, 3};
+  };
+  for (const double z : {0.5, 1.0, 2.5}) {
+    SCOPED_TRACE(z);
+    const Blockers blockers = covered({rectangle(0, -1.5, 8, 1.5, 1, Facing::up)}, z);
+    const ReceiverMesh mesh = mesh_of(light, blockers);
+    EXPECT_EQ(length_on_axis(mesh, is_meant), 0.5);
+    expect_regions(mesh, ReceiverRegion::penumbra, ReceiverRegion::umbra);
+    expect_definition(mesh, light, blockers);
+  }
+}
+
+TEST(CoplanarPairs, OfAFacetsPlaneAreTracedWhereOthersHideItsCorners) {
+  const Blockers wall{ConvexPolygon::from_points({{0, -1.5, 1}, {0, 1.5, 1}, {0, 1.5, 2}, {0, -1.5, 2}})};
+  for (const double z : {0.5, 2.5}) {
+    const ReceiverMesh mesh = mesh_of(long_lamp, covered(wall, z));
+    EXPECT_EQ(
+        length_on_axis(mesh,
+                       [](const EventName& name) { return name.kind == EventKind::coplanar_plane && name.order == 1; }),
+        0.5);
+  }
+}
+
+TEST(CoplanarPairs, AreNotTracedWhereNoLightComesThrough) {
+  Blockers blockers = boards(1.5);
+  blockers.push_back(rectangle(-9, -30, 9, 30, 0.5, Facing::up));
+  const auto is_pair = [](const EventName& name) { return name.kind == EventKind::coplanar_edges; };
+  EXPECT_EQ(length_on_axis(mesh_of(long_lamp, blockers), is_pair), 0);
+}
+
+}  // namespace
+}  // namespace gnomon
