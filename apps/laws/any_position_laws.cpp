@@ -106,15 +106,16 @@ Polygon points_inside(const AnyPair& drawn) {
   const auto height = [&](const ExactVector& b) -> Rational { return front->height(b); };
   const ExactVector foremost = *std::ranges::max_element(corners, {}, height);
   for (ExactVector& p : result) {
-    for (int i = 0; i < 200 && front->side(p) <= 0; ++i) p = Rational(1, 2) * (p + foremost);
+    for (int i = 0; i < 1200 && front->side(p) <= 0; ++i) p = Rational(1, 2) * (p + foremost);
   }
   return result;
 }
 
-/// True if there is umbra very near to the blocker, on one side of its plane or the other.
+/// True if there is umbra very near to the blocker, on one side of its plane or the other: nearer than the square of
+/// the smallest double, by which a blocker may reach the light's front.
 bool is_dark_beside(const AnyPair& drawn, const Walls& blocker, const ExactPlane& plane) {
-  Rational little = 1;
-  for (int i = 0; i < 400; ++i) little /= 2;
+  const Rational small = 0x1p-800;
+  const Rational little = small * small * small;
   return std::ranges::any_of(points_inside(drawn), [&](const ExactVector& p) {
     return std::ranges::any_of(std::array{-1, 1}, [&](int side) {
       return region_behind({blocker}, drawn.light, p + Rational(side * little) * plane.normal) == Region::umbra;
