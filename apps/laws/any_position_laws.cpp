@@ -339,8 +339,7 @@ std::vector<Law> any_position_laws() {
           pairs, check_intersection_of_shadows),
       law({"S11", "own",
            "The umbra of a flat blocker has an interior exactly if L lies in one closed side of its plane and meets "
-           "the "
-           "plane in points of B only; of a one-sided light, if B also reaches the open front."},
+           "the plane in points of B only; of a one-sided light, if B also reaches the open front."},
           flat_pairs, check_umbra_has_interior),
       law({"S12_any", "own",
            "The umbra is unbounded exactly if the rays of one direction from all light vertices outside the blocker "
@@ -351,8 +350,7 @@ std::vector<Law> any_position_laws() {
           flat_pairs, check_penumbra_components),
       law({"S15", "own",
            "The umbra without the solid may fall into pockets: behind each side of an upside-down pyramid that the "
-           "light "
-           "does not see there is umbra, and no umbra joins opposite ones around a side that it sees."},
+           "light does not see there is umbra, and no umbra joins opposite ones around a side that it sees."},
           pocket_cases, check_pockets),
       law({"M4", "[P93] 5.2.3", "The shadow of a concave blocker is the union of the occlusion volumes of its parts."},
           concave_cases, check_union_of_shadows),

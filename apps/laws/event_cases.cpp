@@ -9,6 +9,7 @@
 #include "apps/laws/draw.h"
 #include "apps/laws/exact.h"
 #include "apps/laws/pair_generator.h"
+#include "apps/laws/point_text.h"
 #include "geometry/spatial/polygon_checks.h"
 #include "geometry/visibility/visibility.h"
 
@@ -267,12 +268,6 @@ EventCase draw_event(Domain domain, EventLight kind, const EventMix& mix) {
   }
   drawn.choice = draw(0, 3);
   return drawn;
-}
-
-void write(std::ostream& out, const char* what, std::span<const Point3> points) {
-  out << what << ":";
-  for (const Point3& p : points) out << " {" << p.x << ", " << p.y << ", " << p.z << "}";
-  out << "\n";
 }
 
 }  // namespace

@@ -124,8 +124,7 @@ std::vector<Law> event_laws() {
           vertices_and_edges, check_vertex_and_edge),
       law({"E3", "own",
            "Before an area light, the order is D1 where two edges are coplanar and overlap as seen, of light and "
-           "blocker "
-           "or of two blockers, and in the plane of a flat blocker or facet that meets the light."},
+           "blocker or of two blockers, and in the plane of a flat blocker or facet that meets the light."},
           coplanar_events, check_coplanar),
       law({"E4", "[P93] 4.2.3.2",
            "An event of a light edge and two blocker edges, or of three blocker edges before the light, is part of a "

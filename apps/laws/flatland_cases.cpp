@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "apps/laws/draw.h"
+#include "apps/laws/point_text.h"
 #include "geometry/planar/partition.h"
 #include "geometry/planar/sight.h"
 
@@ -197,12 +198,6 @@ void bend(FlatlandCase& drawn) {
                                once_in(4) ? nudged(blocker[1]) : blocker[1]};
     if (moved[0] != moved[1]) blocker = moved;
   }
-}
-
-void write(std::ostream& out, const char* what, std::span<const Point2> points) {
-  out << what << ":";
-  for (const Point2& p : points) out << " {" << p.x << ", " << p.y << "}";
-  out << "\n";
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "apps/laws/draw.h"
+#include "apps/laws/point_text.h"
 #include "geometry/planar/region_of.h"
 #include "geometry/planar/regions.h"
 
@@ -160,12 +161,6 @@ Point2 draw_point(Domain domain, const PlanarCase& drawn) {
       break;
   }
   return domain == Domain::near_degenerate && once_in(2) ? nudged(p) : p;
-}
-
-void write(std::ostream& out, const char* what, std::span<const Point2> points) {
-  out << what << ":";
-  for (const Point2& p : points) out << " {" << p.x << ", " << p.y << "}";
-  out << "\n";
 }
 
 }  // namespace

@@ -386,13 +386,12 @@ std::vector<Law> planar_laws() {
       law({"P6", "[P93] 4.2.2.1", "There are at most two penumbra regions."}, pairs(Stand::apart), check_two_penumbrae),
       law({"P7", "own",
            "There is exactly one umbra, bounded if and only if the supporting lines meet behind the blocker; then "
-           "there "
-           "is one penumbra, otherwise as many as ends of the blocker off the light's line."},
+           "there is one penumbra, otherwise as many as ends of the blocker off the light's line."},
           pairs(Stand::apart), check_exactly_one_umbra),
       law({"P8", "own",
-           "If the blocker's line meets the inside of the light there is no umbra, and penumbra on both its sides. If "
-           "it "
-           "meets one end, inside the blocker: one umbra, two penumbrae; at its end: one, one; off it: none, one."},
+           "If the blocker's line meets the inside of the light there is no umbra, and penumbra on both its sides. "
+           "If it meets one end, inside the blocker: one umbra, two penumbrae; at its end: one, one; off it: none, "
+           "one."},
           pairs(Stand::blocker_line_hits), check_blocker_line_hits),
       law({"P9", "own", "If the light's line meets the blocker, P1 to P7 hold as they stand."},
           pairs(Stand::light_line_hits), check_light_line_hits),

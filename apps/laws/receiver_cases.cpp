@@ -7,6 +7,7 @@
 
 #include "apps/laws/draw.h"
 #include "apps/laws/pair_generator.h"
+#include "apps/laws/point_text.h"
 #include "geometry/spatial/polygon_checks.h"
 #include "geometry/visibility/visibility.h"
 
@@ -105,12 +106,6 @@ ReceiverCase draw_scene(Domain domain, int most_blockers, Stands stands) {
           choice,
           draw(1, 7) / 8.0,
           direction};
-}
-
-void write(std::ostream& out, const char* what, std::span<const Point3> points) {
-  out << what << ":";
-  for (const Point3& p : points) out << " {" << p.x << ", " << p.y << ", " << p.z << "}";
-  out << "\n";
 }
 
 }  // namespace

@@ -227,18 +227,15 @@ std::vector<Law> receiver_laws() {
   return {
       law({"M5", "Demouth et al. 2009",
            "On a plane, light and shadow of many convex blockers meet along segments: in planes of a vertex and an "
-           "edge of "
-           "the light and one blocker, or of a blocker's facet."},
+           "edge of the light and one blocker, or of a blocker's facet."},
           some_blockers, check_boundary),
       law({"E1", "[P93] 4.2.3.2",
            "Where a blocker touches a receiver and its two sides hide different measures of an area light, the order "
-           "is "
-           "D0; away from contacts and the light's plane there is none."},
+           "is D0; away from contacts and the light's plane there is none."},
           standing_blockers, check_contact),
       law({"E7", "own",
            "In a face between all traces of vertices and edges in line, of planes of coplanar edges and facets and of "
-           "the "
-           "light's plane, which no three edges in line cross, one arrangement of edges is seen."},
+           "the light's plane, which no three edges in line cross, one arrangement of edges is seen."},
           one_or_two_blockers, check_faces),
   };
 }

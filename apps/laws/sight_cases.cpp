@@ -9,6 +9,7 @@
 #include "apps/laws/draw.h"
 #include "apps/laws/exact.h"
 #include "apps/laws/pair_generator.h"
+#include "apps/laws/point_text.h"
 #include "geometry/spatial/position.h"
 #include "geometry/spatial/shadow_volume.h"
 #include "geometry/visibility/visibility.h"
@@ -225,12 +226,6 @@ SightCase draw_case(Domain domain, const SightMix& mix) {
     result.blockers.push_back(blocker_of(draft.blockers[i], draft.blocker_kinds[i]));
   }
   return result;
-}
-
-void write(std::ostream& out, const char* what, std::span<const Point3> points) {
-  out << what << ":";
-  for (const Point3& p : points) out << " {" << p.x << ", " << p.y << ", " << p.z << "}";
-  out << "\n";
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "apps/laws/draw.h"
 #include "apps/laws/pair_generator.h"
+#include "apps/laws/point_text.h"
 #include "geometry/spatial/shadow_volume.h"
 #include "geometry/visibility/visibility.h"
 
@@ -100,12 +101,6 @@ Point3 draw_point(Domain domain, const Pair& pair, View view) {
       break;
   }
   return domain == Domain::near_degenerate && once_in(2) ? nudged(p) : p;
-}
-
-void write(std::ostream& out, const char* what, std::span<const Point3> points) {
-  out << what << ":";
-  for (const Point3& p : points) out << " {" << p.x << ", " << p.y << ", " << p.z << "}";
-  out << "\n";
 }
 
 }  // namespace

@@ -267,17 +267,16 @@ std::vector<Law> spatial_laws() {
           pairs(Lights::points), check_point_shadow),
       law({"S2", "[CF91] Lemma 1",
            "A separating blocker plane has L and B on opposite closed sides, and on its positive side f = 1; for an "
-           "area "
-           "light on the plane itself too."},
+           "area light on the plane itself too."},
           pairs(Lights::all), check_beyond_separating_blocker_plane),
       law({"S3", "[CF91] Lemma 2",
            "A separating light plane has L and B on opposite closed sides, and on its positive side f = 1; for an area "
            "light on the plane itself too."},
           pairs(Lights::with_extent, View::before_light), check_beyond_separating_light_plane),
       law({"S4", "[CF91] Theorem 2",
-           "In B- and all separating half-spaces f < 1 strictly inside and f = 1 strictly outside; on the boundary f = "
-           "1 "
-           "for an area light, while a point or linear light may be hidden there; unlit points are strictly outside."},
+           "In B- and all separating half-spaces f < 1 strictly inside and f = 1 strictly outside; on the boundary f "
+           "= 1 for an area light, while a point or linear light may be hidden there; unlit points are strictly "
+           "outside."},
           pairs(Lights::all), check_occlusion),
       law({"S5", "[P93] 4.2.3.1", "The occlusion volume is the convex hull of the vertex shadows."}, pairs(Lights::all),
           check_hull_of_shadows),

@@ -58,19 +58,23 @@ std::vector<HidingCondition> ReceiverSight::hiding(ShapeId s, const ExactVector&
   return {{{{}, Rational(1)}, HidingCondition::Boundary::excluded}};
 }
 
-VisiblePart ReceiverSight::visible_from(const ExactVector& p) {
-  collect_near(p);
-  hidden_.clear();
-  for (const ShapeId s : near_) hidden_.push_back(hiding(s, p));
-  return visible_part(light_, hidden_, p);
+std::vector<std::vector<HidingCondition>> ReceiverSight::hiding_of_near(const ExactVector& p) const {
+  std::vector<std::vector<HidingCondition>> hidden;
+  for (const ShapeId s : near_) hidden.push_back(hiding(s, p));
+  return hidden;
 }
 
-/// Of the shapes asked about last those that hide every vertex of the light.
-std::vector<ShapeId> ReceiverSight::covers() const {
+VisiblePart ReceiverSight::visible_from(const ExactVector& p) {
+  collect_near(p);
+  return visible_part(light_, hiding_of_near(p), p);
+}
+
+/// Of the shapes near those that hide every vertex of the light, from what each of them hides.
+std::vector<ShapeId> ReceiverSight::covers(std::span<const std::vector<HidingCondition>> hidden) const {
   std::vector<ShapeId> found;
   for (std::size_t i = 0; i < near_.size(); ++i) {
     if (std::all_of(scene_.light_vertices.begin(), scene_.light_vertices.end(), [&](const LightVertex& v) {
-          return hides_closed(hidden_[i], exact_point(scene_.points[v.point]));
+          return hides_closed(hidden[i], exact_point(scene_.points[v.point]));
         })) {
       found.push_back(near_[i]);
     }
@@ -117,11 +121,13 @@ bool ReceiverSight::is_hidden_by_one(std::span<const ShapeId> shapes, std::span<
 
 FaceRegion ReceiverSight::region_of_face(const ExactVector& inside, std::span<const ExactVector> vertices,
                                          const std::function<std::vector<FacePiece>()>& pieces) {
-  const VisiblePart part = visible_from(inside);
+  collect_near(inside);
+  const auto hidden = hiding_of_near(inside);
+  const VisiblePart part = visible_part(light_, hidden, inside);
   const bool may_change = part.region == Region::penumbra || part.region == Region::umbra;
   if (!may_change || scene_.kind == LightKind::point || scene_.kind == LightKind::direction) return {part.region, true};
   if (part.region == Region::penumbra && shows_vertex(part, inside)) return {part.region, true};
-  if (part.region == Region::umbra && is_hidden_by_one(covers(), vertices)) return {part.region, true};
+  if (part.region == Region::umbra && is_hidden_by_one(covers(hidden), vertices)) return {part.region, true};
   collect_in_shaft(vertices);
   return {part.region, !region_may_change(scene_, near_, pieces())};
 }

@@ -46,7 +46,8 @@ class ReceiverSight {
   void collect_in_shaft(std::span<const ExactVector> face);
   std::vector<HidingCondition> hiding(ShapeId shape, const ExactVector& p) const;
   bool shows_vertex(const VisiblePart& part, const ExactVector& p) const;
-  std::vector<ShapeId> covers() const;
+  std::vector<std::vector<HidingCondition>> hiding_of_near(const ExactVector& p) const;
+  std::vector<ShapeId> covers(std::span<const std::vector<HidingCondition>> hidden) const;
   bool is_hidden_by_one(std::span<const ShapeId> shapes, std::span<const ExactVector> face) const;
 
   const EventScene& scene_;
@@ -55,7 +56,6 @@ class ReceiverSight {
   const Shape& receiver_;
   const ReceiverPlane& plane_;
   std::vector<std::uint32_t> near_;
-  std::vector<std::vector<HidingCondition>> hidden_;  ///< by the shapes near, as seen from the point asked about last
 };
 
 }  // namespace gnomon::event

@@ -9,11 +9,11 @@
 
 #include "geometry/discontinuity/discontinuity_surface.h"
 #include "geometry/discontinuity/event_scene.h"
-#include "geometry/discontinuity/triple_edges.h"
 #include "geometry/spatial/extremal_planes.h"
 #include "geometry/spatial/position.h"
 #include "geometry/visibility/fast_visibility.h"
 #include "tests/geometry/discontinuity/mesh_probe.h"
+#include "tests/geometry/discontinuity/triple_edges.h"
 
 namespace gnomon {
 namespace {

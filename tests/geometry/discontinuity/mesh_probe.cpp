@@ -1,6 +1,9 @@
 #include "tests/geometry/discontinuity/mesh_probe.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "geometry/scene/convex_parts.h"
 
 namespace gnomon {
 namespace {
@@ -64,6 +67,20 @@ ConvexBlocker turned_box(double x, double y, double z0, double z1, double c, dou
     points.push_back({x + s, y - c, z});
   }
   return ConvexSolid::hull_of(points);
+}
+
+std::vector<ConvexBlocker> parts_of_blockers(const Scene& scene) {
+  std::vector<ConvexBlocker> parts;
+  for (const SceneBlocker& blocker : scene.blockers) {
+    for (ConvexPart& part : convex_parts(blocker)) parts.push_back(std::move(part.shape));
+  }
+  return parts;
+}
+
+std::vector<ConvexPolygon> receivers_of(const Scene& scene) {
+  std::vector<ConvexPolygon> receivers;
+  for (const SceneReceiver& receiver : scene.receivers) receivers.push_back(receiver.shape);
+  return receivers;
 }
 
 AreaLight lamp(ConvexPolygon polygon) {

@@ -7,6 +7,7 @@
 
 #include "geometry/discontinuity/receiver_mesh.h"
 #include "geometry/discontinuity/receiver_mesh_data.h"
+#include "geometry/scene/scene.h"
 #include "geometry/visibility/visibility.h"
 
 namespace gnomon {
@@ -26,6 +27,10 @@ ConvexBlocker box(const Point3& low, const Point3& high);
 ConvexBlocker turned_box(double x, double y, double z0, double z1, double c, double s);
 
 AreaLight lamp(ConvexPolygon polygon);
+
+/// The convex parts of all blockers of a scene, and its receivers.
+std::vector<ConvexBlocker> parts_of_blockers(const Scene& scene);
+std::vector<ConvexPolygon> receivers_of(const Scene& scene);
 
 /// Points of a horizontal receiver whose region is compared with exact_visibility.
 struct ProbeResult {

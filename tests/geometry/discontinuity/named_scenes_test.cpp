@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <iostream>
 
-#include "geometry/scene/convex_parts.h"
 #include "geometry/scene/scene_reader.h"
 #include "tests/geometry/discontinuity/mesh_probe.h"
 
@@ -29,12 +28,8 @@ std::vector<std::string> scene_names() {
 
 TEST_P(NamedScene, HasTheRegionsOfTheDefinitionOnEveryReceiver) {
   const Scene scene = read_scene(GNOMON_TEST_DATA "/scenes/receivers/" + GetParam() + ".scene.json");
-  std::vector<ConvexBlocker> blockers;
-  for (const SceneBlocker& blocker : scene.blockers) {
-    for (ConvexPart& part : convex_parts(blocker)) blockers.push_back(std::move(part.shape));
-  }
-  std::vector<ConvexPolygon> receivers;
-  for (const SceneReceiver& receiver : scene.receivers) receivers.push_back(receiver.shape);
+  const std::vector<ConvexBlocker> blockers = parts_of_blockers(scene);
+  const std::vector<ConvexPolygon> receivers = receivers_of(scene);
   const Light& light = scene.lights.front().shape;
   const std::vector<ReceiverMesh> meshes = receiver_meshes(light, blockers, receivers);
   for (std::size_t r = 0; r < meshes.size(); ++r) {

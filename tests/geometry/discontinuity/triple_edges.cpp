@@ -1,4 +1,4 @@
-#include "geometry/discontinuity/triple_edges.h"
+#include "tests/geometry/discontinuity/triple_edges.h"
 
 #include <algorithm>
 #include <vector>

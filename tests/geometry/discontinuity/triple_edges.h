@@ -1,6 +1,6 @@
 #pragma once
 
-/// Three edges in line (EEE events). Private to this folder.
+/// Three edges in line (EEE events), told roughly: an oracle apart from region_change.h.
 
 #include <span>
 
