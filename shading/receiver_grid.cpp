@@ -89,8 +89,9 @@ ReceiverGrid::ReceiverGrid(const ConvexPolygon& receiver, const std::array<std::
 }
 
 Point3 ReceiverGrid::point(std::size_t index) const {
-  const double s = (static_cast<double>(index % shape_[0]) + 0.5) / shape_[0];
-  const double t = (static_cast<double>(index / shape_[0]) + 0.5) / shape_[1];
+  const std::size_t column = index % shape_[0], row = index / shape_[0];
+  const double s = (static_cast<double>(column) + 0.5) / shape_[0];
+  const double t = (static_cast<double>(row) + 0.5) / shape_[1];
   return {origin_.x + s * u_.x + t * v_.x, origin_.y + s * u_.y + t * v_.y, origin_.z + s * u_.z + t * v_.z};
 }
 

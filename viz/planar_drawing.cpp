@@ -54,7 +54,7 @@ Color region_color(const PictureSource& source, const Color& color) {
 void add_regions(PlanarDrawing& drawing, const PictureSource& source, const std::string& name, const Color& color) {
   for (const PictureBlock& block : source.blocks) {
     if (!is_region(source, block, name)) continue;
-    drawing.marks.push_back(Fill{polygons_of(*block.data), color, region_opacity(source)});
+    drawing.marks.emplace_back(Fill{polygons_of(*block.data), color, region_opacity(source)});
   }
 }
 
@@ -62,7 +62,7 @@ void add_frame(PlanarDrawing& drawing) {
   const Polygon box = corners(drawing.box);
   Strokes frame{{}, palette.edge, 1};
   for (std::size_t i = 0; i < 4; ++i) frame.segments.push_back({box[i], box[(i + 1) % 4]});
-  drawing.marks.push_back(std::move(frame));
+  drawing.marks.emplace_back(std::move(frame));
 }
 
 void add_line(PlanarDrawing& drawing, std::vector<Segment> segments, FacetKind kind, const std::string& name) {
@@ -70,7 +70,7 @@ void add_line(PlanarDrawing& drawing, std::vector<Segment> segments, FacetKind k
   const bool separating = kind == FacetKind::separating_blocker_plane;
   const Color& color = separating ? palette.separating : palette.supporting;
   const std::string title = (separating ? "separating line: " : "supporting line: ") + name;
-  drawing.marks.push_back(Strokes{std::move(segments), color, line_width, separating ? line_dash : 0, false, title});
+  drawing.marks.emplace_back(Strokes{std::move(segments), color, line_width, separating ? line_dash : 0, false, title});
 }
 
 /// The lines of one name are one stroke, so that it can be called by it.
@@ -91,7 +91,7 @@ void add_names(PlanarDrawing& drawing, const PictureSource& source) {
     const Point3 way = line.segment.end - line.segment.start;
     if (length(way) < shortest_labelled * drawing.unit_per_pixel) continue;
     const Color& color = separating ? palette.separating : palette.supporting;
-    drawing.marks.push_back(Words{line.segment.start + 0.8 * way, name, color});
+    drawing.marks.emplace_back(Words{line.segment.start + 0.8 * way, name, color});
   }
 }
 
@@ -102,9 +102,9 @@ void add_element(PlanarDrawing& drawing, const PictureBlock& block, const Color&
   for (const double edge : {2 * edge_width, 0.0}) {
     const Color& shown = edge > 0 ? palette.edge : color;
     if (segments.empty()) {
-      drawing.marks.push_back(Disc{points_of(*block.data).front(), 2 * width + edge, shown, name});
+      drawing.marks.emplace_back(Disc{points_of(*block.data).front(), 2 * width + edge, shown, name});
     } else {
-      drawing.marks.push_back(Strokes{segments, shown, width + edge, 0, true, name});
+      drawing.marks.emplace_back(Strokes{segments, shown, width + edge, 0, true, name});
     }
   }
 }
@@ -132,7 +132,7 @@ bool has_line(const PictureSource& source, FacetKind kind) {
 
 PlanarDrawing planar_drawing(const PictureSource& source, const DrawingSize& size, Shown labels) {
   PlanarDrawing drawing{source.clip_box, size, unit_per_pixel(source.clip_box, size), {}};
-  drawing.marks.push_back(Fill{{corners(source.clip_box)}, palette.lit});
+  drawing.marks.emplace_back(Fill{{corners(source.clip_box)}, palette.lit});
   add_regions(drawing, source, "penumbra", palette.penumbra);
   add_regions(drawing, source, "umbra", palette.umbra);
   add_frame(drawing);

@@ -83,7 +83,8 @@ struct SeriesWriter::Writing {
   }
 };
 
-SeriesWriter::SeriesWriter(fs::path directory) : writing_(new Writing{directory, viz::StagedFolder(directory)}) {}
+SeriesWriter::SeriesWriter(fs::path directory)
+    : writing_(new Writing{directory, viz::StagedFolder(std::move(directory))}) {}
 
 SeriesWriter::~SeriesWriter() = default;
 

@@ -58,7 +58,7 @@ struct SeenEdge {
   int first = 0;
   int second = 0;
 
-  friend auto operator<=>(const SeenEdge&, const SeenEdge&) = default;  // NOLINT: 0 is no pointer
+  friend auto operator<=>(const SeenEdge&, const SeenEdge&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
 /// A piece of an edge between what is seen of the light and what is not, and the edges it ends at.
@@ -67,7 +67,7 @@ struct SeenPiece {
   SeenEdge from;
   SeenEdge to;
 
-  friend auto operator<=>(const SeenPiece&, const SeenPiece&) = default;  // NOLINT: 0 is no pointer
+  friend auto operator<=>(const SeenPiece&, const SeenPiece&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
 /// All pieces of the boundary of what is seen of an area light from the path's start, in a fixed order. Which pieces

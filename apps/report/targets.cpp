@@ -51,7 +51,7 @@ void add_speedups(Findings& all, const Report& report) {
 }
 
 void add_count(Findings& all, const std::string& subject, std::size_t wrong, std::size_t of) {
-  all.push_back({subject, "0", std::to_string(wrong) + " of " + std::to_string(of), wrong == 0});
+  all.push_back({subject, "0", std::to_string(wrong) + " of " + std::to_string(of), wrong == 0, true});
 }
 
 void add_counts(Findings& all, const Report& report) {

@@ -13,6 +13,7 @@ struct Finding {
   std::string wanted;
   std::string found;
   bool reached = false;
+  bool is_promise = false;  ///< it holds on every machine; if it is missed, gnomon is wrong
 };
 
 /// Every target that the report has figures for: times, times beside other methods, no wrong answer.
