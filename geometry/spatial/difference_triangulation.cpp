@@ -66,6 +66,25 @@ Triangles ring_triangles(const ExactSpace& space, PlaneId plane, const Loop& out
   return triangles;
 }
 
+using Positions = std::unordered_map<VertexId, std::size_t>;
+
+/// Triangles between the chains that run from each shared vertex to the next, `shared` being positions on the outer
+/// polygon.
+Triangles chain_triangles(const ExactSpace& space, PlaneId plane, const Loop& outer, const Loop& inner,
+                          const Positions& inner_position, const std::vector<std::size_t>& shared) {
+  Triangles triangles;
+  for (std::size_t i = 0; i < shared.size(); ++i) {
+    const std::size_t from = shared[i];
+    const std::size_t to = shared[(i + 1) % shared.size()];
+    Loop outer_chain = chain(outer, from, to);
+    if (outer_chain.size() == 2) continue;  // a common edge: a convex polygon has no other way between its ends
+    outer_chain = Loop(outer_chain.begin() + 1, outer_chain.end() - 1);
+    const Loop inner_chain = chain(inner, inner_position.at(outer[from]), inner_position.at(outer[to]));
+    fill_band(space, plane, outer_chain, inner_chain, triangles);
+  }
+  return triangles;
+}
+
 }  // namespace
 
 Triangles convex_triangles(const ExactSpace& space, PlaneId plane, Loop loop) {
@@ -92,8 +111,7 @@ Triangles convex_triangles(const ExactSpace& space, PlaneId plane, Loop loop) {
 }
 
 Triangles difference_triangles(const ExactSpace& space, PlaneId plane, const Loop& outer, const Loop& inner) {
-  Triangles triangles;
-  std::unordered_map<VertexId, std::size_t> inner_position;
+  Positions inner_position;
   for (std::size_t b = 0; b < inner.size(); ++b) inner_position[inner[b]] = b;
   std::vector<std::size_t> shared;
   for (std::size_t a = 0; a < outer.size(); ++a) {
@@ -101,16 +119,7 @@ Triangles difference_triangles(const ExactSpace& space, PlaneId plane, const Loo
   }
   if (shared.empty()) return ring_triangles(space, plane, outer, inner);
   if (inner.size() == 1) return convex_triangles(space, plane, outer);
-  for (std::size_t i = 0; i < shared.size(); ++i) {
-    const std::size_t from = shared[i];
-    const std::size_t to = shared[(i + 1) % shared.size()];
-    Loop outer_chain = chain(outer, from, to);
-    if (outer_chain.size() == 2) continue;  // a common edge: a convex polygon has no other way between its ends
-    outer_chain = Loop(outer_chain.begin() + 1, outer_chain.end() - 1);
-    const Loop inner_chain = chain(inner, inner_position.at(outer[from]), inner_position.at(outer[to]));
-    fill_band(space, plane, outer_chain, inner_chain, triangles);
-  }
-  return triangles;
+  return chain_triangles(space, plane, outer, inner, inner_position, shared);
 }
 
 }  // namespace gnomon

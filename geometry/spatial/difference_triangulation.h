@@ -1,13 +1,15 @@
 #pragma once
 
 #include <array>
-#include <vector>
+
+#include <boost/container/small_vector.hpp>
 
 #include "geometry/spatial/convex_polyhedron.h"
 
 namespace gnomon {
 
-using Triangles = std::vector<std::array<VertexId, 3>>;
+/// Most are those of a face of few corners.
+using Triangles = boost::container::small_vector<std::array<VertexId, 3>, 4>;
 
 /// Triangles of a convex polygon whose boundary may have straight vertices.
 ///

@@ -75,9 +75,9 @@ class HalfEdgePolyhedron {
   void link_twins();
 
   ExactSpace& space_;
-  std::vector<HalfEdge> edges_;
-  std::vector<Vertex> vertices_;
-  std::vector<Face> faces_;
+  boost::container::small_vector<HalfEdge, 192> edges_;
+  boost::container::small_vector<Vertex, 72> vertices_;
+  boost::container::small_vector<Face, 32> faces_;
   bool empty_ = false;
 
   PlaneId plane_ = 0;

@@ -25,7 +25,8 @@ std::array<PlaneId, 6> in_order_of_use(const std::array<PlaneId, 6>& sides, cons
   const std::array<double, 3> along = {to.x - from.x, to.y - from.y, to.z - from.z};
   std::array<std::size_t, 6> order = {0, 1, 2, 3, 4, 5};
   const auto facing = [&](std::size_t side) { return side % 2 == 0 ? -along[side / 2] : along[side / 2]; };
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return facing(a) > facing(b); });
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return facing(a) != facing(b) ? facing(a) > facing(b) : a < b; });
   std::array<PlaneId, 6> result{};
   for (std::size_t i = 0; i < 6; ++i) result[i] = sides[order[i]];
   return result;

@@ -308,7 +308,11 @@ std::size_t pieces(const ExactSpace& space, const ExactSurface& surface) {
   }
   std::map<VertexId, ExactSurface> by_root;
   for (const auto& facet : surface.facets) {
-    for (const auto& triangle : facet.triangles) by_root[root(triangle[0])].facets.push_back({facet.plane, {triangle}});
+    for (const auto& triangle : facet.triangles) {
+      ExactSurface::Facet& part = by_root[root(triangle[0])].facets.emplace_back();
+      part.plane = facet.plane;
+      part.triangles.push_back(triangle);
+    }
   }
   return static_cast<std::size_t>(std::count_if(
       by_root.begin(), by_root.end(), [&](const auto& entry) { return six_volumes(space, entry.second) > 0; }));
