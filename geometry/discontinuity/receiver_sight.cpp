@@ -20,6 +20,41 @@ bool hides_closed(const std::vector<HidingCondition>& conditions, const ExactVec
                                              [&](const HidingCondition& c) { return c.plane.height(p) > 0; });
 }
 
+ExactVector mean(std::span<const ExactVector> points) {
+  ExactVector sum;
+  for (const ExactVector& p : points) sum = sum + p;
+  return Rational(1, points.size()) * sum;
+}
+
+/// A point in the middle of every part of the light that is seen.
+std::vector<ExactVector> middles(const VisiblePart& part, const Light& light) {
+  std::vector<ExactVector> found;
+  for (const SeenFacet& seen : part.facets) {
+    for (const ExactPolygon& piece : seen.visible) found.push_back(mean(piece));
+  }
+  if (const auto* linear = std::get_if<LinearLight>(&light)) {
+    const ExactVector start = exact(linear->start), way = exact(linear->end) - start;
+    for (const auto& [from, to] : part.intervals) found.push_back(start + Rational((from + to) / 2) * way);
+  }
+  return found;
+}
+
+/// Both halves of a triangle, cut at its longest side.
+std::array<FacePiece, 2> halves(const FacePiece& piece) {
+  const auto length = [&](std::size_t k) -> Rational {
+    const ExactVector way = piece.corners[(k + 1) % 3] - piece.corners[k];
+    return dot(way, way);
+  };
+  std::size_t k = length(1) > length(0) ? 1 : 0;
+  if (length(2) > length(k)) k = 2;
+  const ExactVector &p = piece.corners[k], &q = piece.corners[(k + 1) % 3], &r = piece.corners[(k + 2) % 3];
+  const ExactVector middle = Rational(1, 2) * (p + q);
+  return {FacePiece{{p, middle, r}, {}}, FacePiece{{middle, q, r}, {}}};
+}
+
+/// The most points from which the triangles of a face are tried.
+constexpr std::size_t most_trials = 24;
+
 bool is_on_sightline(const ExactVector& p, const ExactVector& between, const ExactVector& far) {
   const ExactVector a = between - p, b = far - p;
   return is_zero(cross(a, b)) && dot(a, b) > 0 && dot(a, a) < dot(b, b);
@@ -119,6 +154,47 @@ bool ReceiverSight::is_hidden_by_one(std::span<const ShapeId> shapes, std::span<
   });
 }
 
+/// The shape hides a point of the light from no point inside the face: a plane through it parts them.
+bool ReceiverSight::leaves_open(ShapeId shape, const ExactVector& light_point,
+                                std::span<const ExactVector> face) const {
+  const auto hidden = hiding_conditions(blockers_[shape], light_point);
+  return std::any_of(hidden.begin(), hidden.end(), [&](const HidingCondition& c) {
+    bool touches_only = true;
+    for (const ExactVector& p : face) {
+      const int side = c.plane.height(p).sign();
+      if (side < 0) return false;
+      touches_only = touches_only && side == 0;
+    }
+    // Where the receiver lies in the plane the limit from its front counts.
+    return !touches_only || c.plane.slope(plane_.plane().normal) > 0;
+  });
+}
+
+/// A point of the light, among some in the middle of what is seen from somewhere in the face, is seen from all of it.
+bool ReceiverSight::shows_one_point(const VisiblePart& part, std::span<const ExactVector> face) const {
+  const std::vector<ExactVector> candidates = middles(part, light_);
+  return std::any_of(candidates.begin(), candidates.end(), [&](const ExactVector& q) {
+    return plane_.plane().height(q) > 0 &&
+           std::all_of(near_.begin(), near_.end(), [&](ShapeId s) { return leaves_open(s, q, face); });
+  });
+}
+
+/// From each of some triangles that the face is cut into one point of the light is seen.
+bool ReceiverSight::shows_light_to_all(std::vector<FacePiece> pieces) {
+  for (std::size_t trials = 0; !pieces.empty(); ++trials) {
+    if (trials == most_trials) return false;
+    const FacePiece piece = pieces.back();
+    pieces.pop_back();
+    const ExactVector inside = mean(piece.corners);
+    const VisiblePart part = visible_from(inside);
+    if (part.region != Region::penumbra) return false;
+    collect_in_shaft(piece.corners);
+    if (shows_one_point(part, piece.corners)) continue;
+    for (FacePiece& half : halves(piece)) pieces.push_back(std::move(half));
+  }
+  return true;
+}
+
 FaceRegion ReceiverSight::region_of_face(const ExactVector& inside, std::span<const ExactVector> vertices,
                                          const std::function<std::vector<FacePiece>()>& pieces) {
   collect_near(inside);
@@ -129,7 +205,11 @@ FaceRegion ReceiverSight::region_of_face(const ExactVector& inside, std::span<co
   if (part.region == Region::penumbra && shows_vertex(part, inside)) return {part.region, true};
   if (part.region == Region::umbra && is_hidden_by_one(covers(hidden), vertices)) return {part.region, true};
   collect_in_shaft(vertices);
-  return {part.region, !region_may_change(scene_, near_, pieces())};
+  if (part.region == Region::penumbra && shows_one_point(part, vertices)) return {part.region, true};
+  const std::vector<FacePiece> triangles = pieces();
+  const bool is_certain = !region_may_change(scene_, near_, triangles) ||
+                          (part.region == Region::penumbra && shows_light_to_all(triangles));
+  return {part.region, is_certain};
 }
 
 }  // namespace gnomon::event

@@ -37,7 +37,8 @@ class ReceiverSight {
   ///
   /// Definition: it is certain if the same is seen from each of its points up to triple-edge events, and one of these
   ///             holds: region lit or unlit; a vertex of the light or a blocker is seen; one blocker hides all of the
-  ///             light from all of the face; region_may_change denies it.
+  ///             light from all of the face; region_may_change denies it; some point of the light is seen from all of
+  ///             the face, or one from all of each of a few triangles of it.
   FaceRegion region_of_face(const ExactVector& inside, std::span<const ExactVector> vertices,
                             const std::function<std::vector<FacePiece>()>& pieces);
 
@@ -49,6 +50,9 @@ class ReceiverSight {
   std::vector<std::vector<HidingCondition>> hiding_of_near(const ExactVector& p) const;
   std::vector<ShapeId> covers(std::span<const std::vector<HidingCondition>> hidden) const;
   bool is_hidden_by_one(std::span<const ShapeId> shapes, std::span<const ExactVector> face) const;
+  bool leaves_open(ShapeId shape, const ExactVector& light_point, std::span<const ExactVector> face) const;
+  bool shows_one_point(const VisiblePart& part, std::span<const ExactVector> face) const;
+  bool shows_light_to_all(std::vector<FacePiece> pieces);
 
   const EventScene& scene_;
   const Light& light_;
