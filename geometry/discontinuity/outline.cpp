@@ -13,9 +13,7 @@ Place::Place(ExactVector p) : exact(std::move(p)) {
   }
 }
 
-int side(const Outline& edge, const Place& p, const Place& x) {
-  const NearVector normal = cross(edge.a.near - p.near, edge.b.near - p.near);
-  if (const auto known = certain_sign(dot(normal, x.near - p.near))) return *known;
+int exact_side(const Outline& edge, const Place& p, const Place& x) {
   return dot(cross(edge.a.exact - p.exact, edge.b.exact - p.exact), x.exact - p.exact).sign();
 }
 

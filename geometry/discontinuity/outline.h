@@ -44,8 +44,8 @@ struct Outline {
   std::vector<Place> hidden;    ///< a point of each face at the edge; of an area light a point beyond its edge
 };
 
-/// Side of the plane through p and an edge on which a point lies. Exactness: intervals first, then rationals.
-int side(const Outline& edge, const Place& p, const Place& x);
+/// Side of the plane through p and an edge on which a point lies, by rationals.
+int exact_side(const Outline& edge, const Place& p, const Place& x);
 
 /// True of two edges of the light, or of one blocker: what they leave open never shrinks to where they cross.
 bool belong_together(const Outline& p, const Outline& q);

@@ -104,10 +104,10 @@ Interval VertexShadows::value(const Side& side, const PointEnclosure& p) const {
 }
 
 VertexShadows::Answer VertexShadows::ask(std::uint32_t light_vertex, ShapeId shape, const PointEnclosure& p) const {
-  const Range& range = ranges_[light_vertex * scene_.shapes.size() + shape];
-  if (range.count == 0) return Answer::unknown;
+  const auto [first, count] = range(light_vertex, shape);
+  if (count == 0) return Answer::unknown;
   bool inside = true;
-  for (std::uint32_t k = range.first; k < range.first + range.count; ++k) {
+  for (std::uint32_t k = first; k < first + count; ++k) {
     const Interval at = value(sides_[k], p);
     if (at.sup() < 0) return Answer::seen;
     inside = inside && at.inf() > 0;
@@ -117,9 +117,8 @@ VertexShadows::Answer VertexShadows::ask(std::uint32_t light_vertex, ShapeId sha
 
 bool VertexShadows::holds(std::uint32_t light_vertex, ShapeId shape, const PointEnclosure& near,
                           const std::function<ExactVector()>& exact_point) const {
-  const Range& range = ranges_[light_vertex * scene_.shapes.size() + shape];
-  if (range.count == 0) return false;
-  for (std::uint32_t k = range.first; k < range.first + range.count; ++k) {
+  const auto [first, count] = range(light_vertex, shape);
+  for (std::uint32_t k = first; k < first + count; ++k) {
     const Side& side = sides_[k];
     const Interval at = value(side, near);
     if (at.sup() < 0) return false;
@@ -131,7 +130,7 @@ bool VertexShadows::holds(std::uint32_t light_vertex, ShapeId shape, const Point
     const Rational exactly = Rational(side.sign) * dot(cross(u, point(2) - a), exact_point() - a);
     if (exactly < 0) return false;
   }
-  return true;
+  return count > 0;
 }
 
 QuickSight::QuickSight(const EventScene& scene, const VertexShadows& shadows, std::uint32_t receiver)

@@ -32,6 +32,9 @@ class VertexShadows {
   /// Whether a shape hides a light vertex from a point. Exactness: intervals; unknown where they do not tell.
   Answer ask(std::uint32_t light_vertex, ShapeId shape, const PointEnclosure& p) const;
 
+  /// False if nothing is known, because the light vertex lies in the plane of a face of the shape.
+  bool knows(std::uint32_t light_vertex, ShapeId shape) const { return range(light_vertex, shape).count > 0; }
+
   /// True if the closed shadow holds a point near `near`; exact: the point itself is asked for only if need be.
   bool holds(std::uint32_t light_vertex, ShapeId shape, const PointEnclosure& near,
              const std::function<ExactVector()>& exact_point) const;
@@ -46,9 +49,12 @@ class VertexShadows {
   };
   struct Range {
     std::uint32_t first = 0;
-    std::uint32_t count = 0;  ///< 0: nothing is known, because the vertex lies in the plane of a face
+    std::uint32_t count = 0;  ///< 0: nothing is known
   };
 
+  const Range& range(std::uint32_t light_vertex, ShapeId shape) const {
+    return ranges_[light_vertex * scene_.shapes.size() + shape];
+  }
   void add(PointId light, const Shape& shape);
   bool add_side(const std::array<PointId, 3>& points, PointId inside, const Shape& shape);
   Interval value(const Side& side, const PointEnclosure& p) const;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -17,7 +18,18 @@ namespace gnomon::event {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-using Traits = CGAL::Arr_consolidated_curve_data_traits_2<CGAL::Arr_segment_traits_2<Kernel>, std::uint32_t>;
+
+/// Knows copies of one point as equal without a look at their coordinates, which would have to be exact.
+struct SweepKernel : Kernel {
+  struct Compare_xy_2 : Kernel::Compare_xy_2 {
+    CGAL::Comparison_result operator()(const Point_2& p, const Point_2& q) const {
+      return CGAL::identical(p, q) ? CGAL::EQUAL : Kernel::Compare_xy_2::operator()(p, q);
+    }
+  };
+  Compare_xy_2 compare_xy_2_object() const { return {}; }
+};
+
+using Traits = CGAL::Arr_consolidated_curve_data_traits_2<CGAL::Arr_segment_traits_2<SweepKernel>, std::uint32_t>;
 using Dcel = CGAL::Arr_extended_dcel<Traits, std::uint32_t, std::uint32_t, std::uint32_t>;
 using Arrangement = CGAL::Arrangement_2<Traits, Dcel>;
 using Point = Kernel::Point_2;
@@ -27,6 +39,19 @@ using Vector = Kernel::Vector_2;
 Number cross(const Vector& a, const Vector& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
+
+/// Equal ends of segments, as copies of one point.
+class Ends {
+ public:
+  const Point& operator()(const FlatPoint& p) {
+    const auto [found, is_new] = points_.try_emplace({p.x, p.y});
+    if (is_new) found->second = Point(Number(p.x), Number(p.y));
+    return found->second;
+  }
+
+ private:
+  std::map<std::pair<Rational, Rational>, Point> points_;
+};
 
 FlatPoint exact_point(const Point& p) {
   return {Rational(CGAL::exact(p.x())), Rational(CGAL::exact(p.y()))};
@@ -121,10 +146,8 @@ ReceiverArrangement::~ReceiverArrangement() = default;
 ReceiverArrangement::ReceiverArrangement(std::span<const FlatSegment> segments) : points_(std::make_unique<Points>()) {
   std::vector<Traits::Curve_2> curves;
   curves.reserve(segments.size());
-  for (const FlatSegment& s : segments) {
-    const Point p(Number(s.start.x), Number(s.start.y)), q(Number(s.end.x), Number(s.end.y));
-    curves.emplace_back(Kernel::Segment_2(p, q), s.name);
-  }
+  Ends ends;
+  for (const FlatSegment& s : segments) curves.emplace_back(Kernel::Segment_2(ends(s.start), ends(s.end)), s.name);
   Arrangement arrangement;
   CGAL::insert(arrangement, curves.begin(), curves.end());
   for (auto v = arrangement.vertices_begin(); v != arrangement.vertices_end(); ++v) {

@@ -126,8 +126,10 @@ class FaceLabels {
   ReceiverRegion region(std::uint32_t f) {
     if (const auto quick = quick_region(f)) return *quick;
     const ExactVector inside = data_.plane.spatial(data_.arrangement.inner_point(f));
-    const event::FaceRegion found = sight_.region_of_face(inside, vertices_of(data_, data_.faces[f]),
-                                                          [&] { return face_pieces(data_, data_.faces[f]); });
+    const event::FaceRegion found =
+        sight_.region_of_face({inside, vertices_of(data_, data_.faces[f]),
+                               [&] { return face_pieces(data_, data_.faces[f]); },
+                               [&](event::ShapeId s) { return hides_light_from(f, s); }});
     return found.is_certain ? static_cast<ReceiverRegion>(found.region) : ReceiverRegion::unresolved_eee;
   }
 
@@ -154,18 +156,24 @@ class FaceLabels {
     }
     scene_.shape_boxes.search(event::shaft(scene_, {&middle, 1}), near_);
     const auto answer = quick_.region(p, near_);
-    if (!answer || !(answer->is_certain_of_face || is_covered(f, *answer))) return std::nullopt;
+    const auto is_covered = [&] { return answer->cover && hides_light_from(f, *answer->cover) == true; };
+    if (!answer || !(answer->is_certain_of_face || is_covered())) return std::nullopt;
     return static_cast<ReceiverRegion>(answer->region);
   }
 
-  /// One blocker hides all of the light from every vertex of the face, so from all of its hull.
-  bool is_covered(std::uint32_t f, const event::QuickAnswer& answer) const {
-    if (!answer.cover) return false;
+  /// Whether one blocker hides all of the light from every vertex of the face, so from all of its hull; nothing where
+  /// that is not known of some vertex of the light.
+  std::optional<bool> hides_light_from(std::uint32_t f, event::ShapeId shape) const {
+    const CGAL::Protect_FPU_rounding<true> upward;
+    const auto n = static_cast<std::uint32_t>(scene_.light_vertices.size());
+    for (std::uint32_t l = 0; l < n; ++l) {
+      if (!shadows_.knows(l, shape)) return std::nullopt;
+    }
     for (const MeshEdgeUse use : data_.faces[f].cycles[0]) {
       const std::uint32_t v = start_of(data_, use);
       const event::PointEnclosure near = data_.plane.spatial(data_.arrangement.near_point(v));
-      for (std::uint32_t l = 0; l < scene_.light_vertices.size(); ++l) {
-        if (!shadows_.holds(l, *answer.cover, near, [&] { return data_.plane.spatial(data_.point(v)); })) return false;
+      for (std::uint32_t l = 0; l < n; ++l) {
+        if (!shadows_.holds(l, shape, near, [&] { return data_.plane.spatial(data_.point(v)); })) return false;
       }
     }
     return true;

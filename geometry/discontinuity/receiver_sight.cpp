@@ -104,19 +104,6 @@ VisiblePart ReceiverSight::visible_from(const ExactVector& p) {
   return visible_part(light_, hiding_of_near(p), p);
 }
 
-/// Of the shapes near those that hide every vertex of the light, from what each of them hides.
-std::vector<ShapeId> ReceiverSight::covers(std::span<const std::vector<HidingCondition>> hidden) const {
-  std::vector<ShapeId> found;
-  for (std::size_t i = 0; i < near_.size(); ++i) {
-    if (std::all_of(scene_.light_vertices.begin(), scene_.light_vertices.end(), [&](const LightVertex& v) {
-          return hides_closed(hidden[i], exact_point(scene_.points[v.point]));
-        })) {
-      found.push_back(near_[i]);
-    }
-  }
-  return found;
-}
-
 /// A vertex of the light, or of a blocker in front of it, on the boundary of what is seen.
 bool ReceiverSight::shows_vertex(const VisiblePart& part, const ExactVector& p) const {
   for (const VisiblePart::Interval& interval : part.intervals) {
@@ -144,13 +131,18 @@ bool ReceiverSight::shows_vertex(const VisiblePart& part, const ExactVector& p) 
   return false;
 }
 
-/// One blocker hides every vertex of the light from every vertex of the face, so all of it from all of the face.
-bool ReceiverSight::is_hidden_by_one(std::span<const ShapeId> shapes, std::span<const ExactVector> face) const {
-  return std::any_of(shapes.begin(), shapes.end(), [&](ShapeId s) {
-    return std::all_of(scene_.light_vertices.begin(), scene_.light_vertices.end(), [&](const LightVertex& v) {
-      const auto hidden = hiding_conditions(blockers_[s], exact_point(scene_.points[v.point]));
-      return std::all_of(face.begin(), face.end(), [&](const ExactVector& p) { return hides_closed(hidden, p); });
-    });
+/// A blocker hides every vertex of the light from every vertex of the face, so all of it from all of the face.
+bool ReceiverSight::hides_light_from(ShapeId shape, std::span<const ExactVector> face) const {
+  return std::all_of(scene_.light_vertices.begin(), scene_.light_vertices.end(), [&](const LightVertex& v) {
+    const auto hidden = hiding_conditions(blockers_[shape], exact_point(scene_.points[v.point]));
+    return std::all_of(face.begin(), face.end(), [&](const ExactVector& p) { return hides_closed(hidden, p); });
+  });
+}
+
+bool ReceiverSight::is_hidden_by_one(const FaceOfReceiver& face) const {
+  return std::any_of(near_.begin(), near_.end(), [&](ShapeId s) {
+    const std::optional<bool> known = face.is_hidden_by(s);
+    return known ? *known : hides_light_from(s, face.vertices);
   });
 }
 
@@ -195,20 +187,17 @@ bool ReceiverSight::shows_light_to_all(std::vector<FacePiece> pieces) {
   return true;
 }
 
-FaceRegion ReceiverSight::region_of_face(const ExactVector& inside, std::span<const ExactVector> vertices,
-                                         const std::function<std::vector<FacePiece>()>& pieces) {
-  collect_near(inside);
-  const auto hidden = hiding_of_near(inside);
-  const VisiblePart part = visible_part(light_, hidden, inside);
+FaceRegion ReceiverSight::region_of_face(const FaceOfReceiver& face) {
+  const VisiblePart part = visible_from(face.inside);
   const bool may_change = part.region == Region::penumbra || part.region == Region::umbra;
   if (!may_change || scene_.kind == LightKind::point || scene_.kind == LightKind::direction) return {part.region, true};
-  if (part.region == Region::penumbra && shows_vertex(part, inside)) return {part.region, true};
-  if (part.region == Region::umbra && is_hidden_by_one(covers(hidden), vertices)) return {part.region, true};
-  collect_in_shaft(vertices);
-  if (part.region == Region::penumbra && shows_one_point(part, vertices)) return {part.region, true};
-  const std::vector<FacePiece> triangles = pieces();
-  const bool is_certain = !region_may_change(scene_, near_, triangles) ||
-                          (part.region == Region::penumbra && shows_light_to_all(triangles));
+  if (part.region == Region::penumbra && shows_vertex(part, face.inside)) return {part.region, true};
+  if (part.region == Region::umbra && is_hidden_by_one(face)) return {part.region, true};
+  collect_in_shaft(face.vertices);
+  if (part.region == Region::penumbra && shows_one_point(part, face.vertices)) return {part.region, true};
+  const std::vector<FacePiece> pieces = face.pieces();
+  const bool is_certain = !region_may_change(scene_, near_, pieces) ||
+                          (part.region == Region::penumbra && shows_light_to_all(pieces));
   return {part.region, is_certain};
 }
 

@@ -3,6 +3,7 @@
 /// What the points of receivers see of the light. Private to this folder.
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,15 @@ struct FaceRegion {
   bool is_certain = true;
 };
 
+/// A face that no traced event crosses.
+struct FaceOfReceiver {
+  ExactVector inside;  ///< a point inside
+  std::vector<ExactVector> vertices;
+  std::function<std::vector<FacePiece>()> pieces;  ///< cuts it up
+  /// Whether a shape hides all of the light from all of the face; nothing where it is not known.
+  std::function<std::optional<bool>(ShapeId)> is_hidden_by;
+};
+
 /// Answers for one receiver.
 ///
 /// Definition: of a point on the receiver the limit from its front is meant.
@@ -33,14 +43,13 @@ class ReceiverSight {
   /// What a point sees.
   VisiblePart visible_from(const ExactVector& p);
 
-  /// The region of a face that no traced event crosses, given a point inside, its vertices and a way to cut it up.
+  /// The region of a face.
   ///
   /// Definition: it is certain if the same is seen from each of its points up to triple-edge events, and one of these
   ///             holds: region lit or unlit; a vertex of the light or a blocker is seen; one blocker hides all of the
   ///             light from all of the face; region_may_change denies it; some point of the light is seen from all of
   ///             the face, or one from all of each of a few triangles of it.
-  FaceRegion region_of_face(const ExactVector& inside, std::span<const ExactVector> vertices,
-                            const std::function<std::vector<FacePiece>()>& pieces);
+  FaceRegion region_of_face(const FaceOfReceiver& face);
 
  private:
   void collect_near(const ExactVector& p);
@@ -48,8 +57,8 @@ class ReceiverSight {
   std::vector<HidingCondition> hiding(ShapeId shape, const ExactVector& p) const;
   bool shows_vertex(const VisiblePart& part, const ExactVector& p) const;
   std::vector<std::vector<HidingCondition>> hiding_of_near(const ExactVector& p) const;
-  std::vector<ShapeId> covers(std::span<const std::vector<HidingCondition>> hidden) const;
-  bool is_hidden_by_one(std::span<const ShapeId> shapes, std::span<const ExactVector> face) const;
+  bool hides_light_from(ShapeId shape, std::span<const ExactVector> face) const;
+  bool is_hidden_by_one(const FaceOfReceiver& face) const;
   bool leaves_open(ShapeId shape, const ExactVector& light_point, std::span<const ExactVector> face) const;
   bool shows_one_point(const VisiblePart& part, std::span<const ExactVector> face) const;
   bool shows_light_to_all(std::vector<FacePiece> pieces);

@@ -42,6 +42,11 @@ enum class Hidden : std::int8_t { none = 2, unknown = 0, positive = 1, negative 
 class PieceTest {
  public:
   PieceTest(const std::vector<Outline>& edges, const Piece& piece) : edges_(edges), piece_(piece) {
+    normals_.reserve(edges.size());
+    for (const Outline& e : edges) {
+      normals_.push_back({normal(e, piece.corners[0].place), normal(e, piece.corners[1].place),
+                          normal(e, piece.corners[2].place)});
+    }
     for (std::size_t k = 0; k < 3; ++k) {
       const ExactVector &p = piece.corners[k].place.exact, &q = piece.corners[(k + 1) % 3].place.exact;
       middles_[k] = Place(Rational(1, 2) * (p + q));
@@ -50,9 +55,9 @@ class PieceTest {
 
   Crossing crossing(std::uint32_t i, std::uint32_t j) const {
     const Outline &p = edges_[i], &q = edges_[j];
-    const auto [a, b] = sides_of_ends(p, q);
+    const auto [a, b] = sides_of_ends(i, q);
     if ((a | b) != 3U || a == 0U || b == 0U) return Crossing::never;
-    const auto [c, d] = sides_of_ends(q, p);
+    const auto [c, d] = sides_of_ends(j, p);
     if ((c | d) != 3U || c == 0U || d == 0U) return Crossing::never;
     // One end on one side throughout tells on which side the other is wherever they cross.
     if (b == 2U || a == 1U) return Crossing::rising;
@@ -66,7 +71,7 @@ class PieceTest {
     if (edges_[i].hidden.empty()) return Hidden::unknown;
     bool positive = false, negative = false;
     for (const Place& x : edges_[i].hidden) {
-      const unsigned sides = sides_of(edges_[i], x);
+      const unsigned sides = sides_of(i, x);
       if (sides == 3U) return Hidden::unknown;
       positive = positive || sides == 2U;
       negative = negative || sides == 1U;
@@ -94,9 +99,9 @@ class PieceTest {
 
   /// True if an edge of the light parts it from this one, as seen from all of the piece.
   bool is_beside_light(std::uint32_t i) const {
-    for (const Outline& e : edges_) {
-      if (!e.is_of_light || e.hidden.empty()) break;
-      const unsigned beyond = sides_of(e, e.hidden.front());
+    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+      if (!edges_[e].is_of_light || edges_[e].hidden.empty()) break;
+      const unsigned beyond = sides_of(e, edges_[e].hidden.front());
       if (beyond == 3U || beyond == 0U) continue;
       if ((sides_of(e, edges_[i].a) | beyond) == beyond && (sides_of(e, edges_[i].b) | beyond) == beyond &&
           !edges_[i].is_of_light) {
@@ -107,17 +112,27 @@ class PieceTest {
   }
 
  private:
-  unsigned sides_of(const Outline& edge, const Place& x) const {
+  static NearVector normal(const Outline& edge, const Place& p) {
+    return cross(edge.a.near - p.near, edge.b.near - p.near);
+  }
+
+  /// The sides on which a point lies as seen from the corners; exact ones only where intervals do not tell enough.
+  unsigned sides_of(std::uint32_t edge, const Place& x) const {
     unsigned sides = 0;
-    for (const Corner& c : piece_.corners) {
-      sides |= bit(side(edge, c.place, x));
-      if (sides == 3U) break;
+    bool is_known[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto sign = certain_sign(dot(normals_[edge][k], x.near - piece_.corners[k].place.near));
+      is_known[k] = sign.has_value();
+      if (sign) sides |= bit(*sign);
+    }
+    for (std::size_t k = 0; k < 3 && sides != 3U; ++k) {
+      if (!is_known[k]) sides |= bit(exact_side(edges_[edge], piece_.corners[k].place, x));
     }
     return sides;
   }
 
-  std::pair<unsigned, unsigned> sides_of_ends(const Outline& p, const Outline& q) const {
-    return {sides_of(p, q.a), sides_of(p, q.b)};
+  std::pair<unsigned, unsigned> sides_of_ends(std::uint32_t edge, const Outline& other) const {
+    return {sides_of(edge, other.a), sides_of(edge, other.b)};
   }
 
   struct Value {
@@ -162,6 +177,7 @@ class PieceTest {
   const std::vector<Outline>& edges_;
   const Piece& piece_;
   std::array<Place, 3> middles_;
+  std::vector<std::array<NearVector, 3>> normals_;  ///< of each edge's plane through each corner
 };
 
 /// Clears pieces of triples until none is left or the budget is spent.
