@@ -87,7 +87,7 @@ FunctionId Pencil::add_plane(const std::array<PointId, 3>& plane, int sign) {
   return static_cast<FunctionId>(functions_.size() - 1);
 }
 
-std::array<ExactReal, 3> Pencil::exact_function(FunctionId id) const {
+std::array<ExactReal, 3> Pencil::exact_values(FunctionId id) const {
   if (id < 3) return {ExactReal(id == 0 ? 1 : 0), ExactReal(id == 1 ? 1 : 0), ExactReal(id == 2 ? 1 : 0)};
   const Function& f = functions_[id];
   std::array<ExactReal, 3> values;
@@ -147,8 +147,19 @@ NodeId Pencil::add_crossing(PointId above, PointId below) {
   return add(node);
 }
 
-std::array<ExactReal, 3> Pencil::exact(NodeId id) const {
-  const Node& node = nodes_[id];
+const std::array<ExactReal, 3>& Pencil::exact_function(FunctionId id) const {
+  const auto [found, is_new] = exact_functions_.try_emplace(id);
+  if (is_new) found->second = exact_values(id);
+  return found->second;
+}
+
+const std::array<ExactReal, 3>& Pencil::exact(NodeId id) const {
+  const auto found = exact_nodes_.find(id);
+  if (found != exact_nodes_.end()) return found->second;
+  return exact_nodes_.emplace(id, exact_coordinates(nodes_[id])).first->second;
+}
+
+std::array<ExactReal, 3> Pencil::exact_coordinates(const Node& node) const {
   if (node.kind == Node::Kind::crossing) return crossing_coordinates<ExactReal>(node.first, node.second);
   if (node.kind == Node::Kind::point) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -157,7 +168,7 @@ std::array<ExactReal, 3> Pencil::exact(NodeId id) const {
     }
     return point_coordinates<ExactReal>(node.first);
   }
-  const auto f = exact_function(node.function), p = exact(node.first), q = exact(node.second);
+  const auto &f = exact_function(node.function), &p = exact(node.first), &q = exact(node.second);
   const ExactReal at_p = f[0] * p[0] + f[1] * p[1] + f[2] * p[2], at_q = f[0] * q[0] + f[1] * q[1] + f[2] * q[2];
   const bool falls = CGAL::sign(at_p) == CGAL::POSITIVE;
   const ExactReal up = falls ? at_p : -at_p, down = falls ? -at_q : at_q;
@@ -184,9 +195,9 @@ int Pencil::sign(FunctionId id, NodeId node) const {
                                    : f.values[0] * n.x + f.values[1] * n.y + f.values[2] * n.z;
   if (const auto known = certain_sign(value)) return *known;
   if (id > z && is_known_zero(f, n)) return 0;
-  const auto e = exact(node);
+  const auto& e = exact(node);
   if (id <= z) return static_cast<int>(CGAL::sign(e[id]));
-  const auto g = exact_function(id);
+  const auto& g = exact_function(id);
   return static_cast<int>(CGAL::sign(g[0] * e[0] + g[1] * e[1] + g[2] * e[2]));
 }
 
@@ -241,7 +252,7 @@ int Pencil::order(const Ray& first, const Ray& second) const {
       ((p.first == q.first && p.second == q.second) || (p.first == q.second && p.second == q.first))) {
     return 0;
   }
-  const auto e = exact(first.node), g = exact(second.node);
+  const auto &e = exact(first.node), &g = exact(second.node);
   return sense * static_cast<int>(CGAL::sign(e[1] * g[2] - e[2] * g[1]));
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -101,8 +102,8 @@ class Pencil {
   bool is_apex(NodeId node) const { return sign(y, node) == 0 && sign(z, node) == 0; }
 
   const Node& node(NodeId id) const { return nodes_[id]; }
-  std::array<ExactReal, 3> exact(NodeId id) const;
-  std::array<ExactReal, 3> exact_function(FunctionId id) const;
+  const std::array<ExactReal, 3>& exact(NodeId id) const;
+  const std::array<ExactReal, 3>& exact_function(FunctionId id) const;
   PointId apex() const { return ids_[0]; }
   PointId a() const { return ids_[1]; }
   PointId b() const { return ids_[2]; }
@@ -117,6 +118,8 @@ class Pencil {
   std::array<Number, 3> point_coordinates(PointId point) const;
   template <class Number>
   std::array<Number, 3> crossing_coordinates(PointId above, PointId below) const;
+  std::array<ExactReal, 3> exact_coordinates(const Node& node) const;
+  std::array<ExactReal, 3> exact_values(FunctionId id) const;
   NodeId add(const Node& node);
   bool is_known_zero(const Function& function, const Node& node) const;
   void choose_axis();
@@ -128,6 +131,9 @@ class Pencil {
   std::array<Interval, 3> normal_{Interval(0), Interval(0), Interval(0)};
   std::vector<Node> nodes_;
   std::vector<Function> functions_;
+  // What was asked for exactly before. A map keeps its elements in place.
+  mutable std::map<NodeId, std::array<ExactReal, 3>> exact_nodes_;
+  mutable std::map<FunctionId, std::array<ExactReal, 3>> exact_functions_;
 };
 
 }  // namespace gnomon::event

@@ -139,11 +139,19 @@ bool ReceiverSight::hides_light_from(ShapeId shape, std::span<const ExactVector>
   });
 }
 
-bool ReceiverSight::is_hidden_by_one(const FaceOfReceiver& face) const {
-  return std::any_of(near_.begin(), near_.end(), [&](ShapeId s) {
-    const std::optional<bool> known = face.is_hidden_by(s);
-    return known ? *known : hides_light_from(s, face.vertices);
-  });
+/// One shape, of those that hide all of the light from the point inside, hides it from all of the face.
+bool ReceiverSight::is_hidden_by_one(const FaceOfReceiver& face,
+                                     std::span<const std::vector<HidingCondition>> hidden) const {
+  for (std::size_t i = 0; i < near_.size(); ++i) {
+    if (!std::all_of(scene_.light_vertices.begin(), scene_.light_vertices.end(), [&](const LightVertex& v) {
+          return hides_closed(hidden[i], exact_point(scene_.points[v.point]));
+        })) {
+      continue;
+    }
+    const std::optional<bool> known = face.is_hidden_by(near_[i]);
+    if (known ? *known : hides_light_from(near_[i], face.vertices)) return true;
+  }
+  return false;
 }
 
 /// The shape hides a point of the light from no point inside the face: a plane through it parts them.
@@ -188,11 +196,13 @@ bool ReceiverSight::shows_light_to_all(std::vector<FacePiece> pieces) {
 }
 
 FaceRegion ReceiverSight::region_of_face(const FaceOfReceiver& face) {
-  const VisiblePart part = visible_from(face.inside);
+  collect_near(face.inside);
+  const auto hidden = hiding_of_near(face.inside);
+  const VisiblePart part = visible_part(light_, hidden, face.inside);
   const bool may_change = part.region == Region::penumbra || part.region == Region::umbra;
   if (!may_change || scene_.kind == LightKind::point || scene_.kind == LightKind::direction) return {part.region, true};
   if (part.region == Region::penumbra && shows_vertex(part, face.inside)) return {part.region, true};
-  if (part.region == Region::umbra && is_hidden_by_one(face)) return {part.region, true};
+  if (part.region == Region::umbra && is_hidden_by_one(face, hidden)) return {part.region, true};
   collect_in_shaft(face.vertices);
   if (part.region == Region::penumbra && shows_one_point(part, face.vertices)) return {part.region, true};
   const std::vector<FacePiece> pieces = face.pieces();

@@ -58,7 +58,7 @@ class ReceiverSight {
   bool shows_vertex(const VisiblePart& part, const ExactVector& p) const;
   std::vector<std::vector<HidingCondition>> hiding_of_near(const ExactVector& p) const;
   bool hides_light_from(ShapeId shape, std::span<const ExactVector> face) const;
-  bool is_hidden_by_one(const FaceOfReceiver& face) const;
+  bool is_hidden_by_one(const FaceOfReceiver& face, std::span<const std::vector<HidingCondition>> hidden) const;
   bool leaves_open(ShapeId shape, const ExactVector& light_point, std::span<const ExactVector> face) const;
   bool shows_one_point(const VisiblePart& part, std::span<const ExactVector> face) const;
   bool shows_light_to_all(std::vector<FacePiece> pieces);

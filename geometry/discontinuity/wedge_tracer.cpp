@@ -306,7 +306,7 @@ namespace {
 /// Where a line of the pencil meets a plane given by its values at apex, a and b.
 Quadruple<ExactReal> point_on_plane(std::span<const EventPoint> points, const Pencil& pencil, const Ray& ray,
                                     const std::array<ExactReal, 3>& plane) {
-  const auto e = pencil.exact(ray.node);
+  const auto& e = pencil.exact(ray.node);
   const ExactReal share = -(plane[1] * e[1] + plane[2] * e[2]);
   const ExactReal y = plane[0] * e[1], z = plane[0] * e[2];
   const auto v = coordinates<ExactReal>(points[pencil.apex()]), a = coordinates<ExactReal>(points[pencil.a()]),
@@ -340,7 +340,7 @@ void WedgeTracer::trace_on(Pencil& pencil, const Wedge& wedge, Cone cone, std::u
   append_blocked(pencil, receiver, plane, side > 0, range, cone);
   subtract(pencil, blocked_, left);
   if (left.empty()) return;
-  const auto values = pencil.exact_function(plane);
+  const auto& values = pencil.exact_function(plane);
   for (const RayRange& part : left) {
     traces.push_back({r,
                       0,
