@@ -272,12 +272,13 @@ std::optional<QuickAnswer> QuickSight::region(const PointEnclosure& p, std::span
   if (scene_.kind == LightKind::area) {
     before = -side(p, scene_.light_plane[0], scene_.light_plane[1], scene_.light_plane[2]);
     if (before == 0) return std::nullopt;
-    if (before < 0 && !scene_.is_two_sided) return QuickAnswer{Region::unlit, true, {}};
+    if (before < 0 && !scene_.is_two_sided) return QuickAnswer{Region::unlit, true};
   }
-  if (light_behind_ && receiver_.backing) return QuickAnswer{Region::umbra, true, {}};
+  if (light_behind_ && receiver_.backing) return QuickAnswer{Region::umbra, true};
   const std::size_t n = scene_.light_vertices.size();
   std::vector<ShapeId> cover;
-  bool any_hidden = false, any_seen = false, all_known = true;
+  std::optional<std::uint32_t> any_hidden, any_seen;
+  bool all_known = true;
   for (std::uint32_t l = 0; l < n; ++l) {
     bool hidden = false, seen = true;
     for (const ShapeId s : near) {
@@ -290,14 +291,14 @@ std::optional<QuickAnswer> QuickSight::region(const PointEnclosure& p, std::span
       }
       seen = seen && answer == VertexShadows::Answer::seen;
     }
-    any_hidden = any_hidden || hidden;
-    any_seen = any_seen || (!hidden && seen);
+    if (hidden) any_hidden = l;
+    if (!hidden && seen) any_seen = l;
     all_known = all_known && (hidden || seen);
   }
-  if (any_hidden && any_seen) return QuickAnswer{Region::penumbra, true, {}};
+  if (any_hidden && any_seen) return QuickAnswer{Region::penumbra, true, {}, {{*any_seen, *any_hidden}}};
   const auto penumbra_or_unknown = [&]() -> std::optional<QuickAnswer> {
     if (before == 0 || !shows_vertex(p, near, before)) return std::nullopt;
-    return QuickAnswer{Region::penumbra, true, {}};
+    return QuickAnswer{Region::penumbra, true};
   };
   if (!all_known) return penumbra_or_unknown();
   if (any_hidden) {
@@ -317,10 +318,10 @@ std::optional<QuickAnswer> QuickSight::region(const PointEnclosure& p, std::span
     const std::vector<PointId>& corners = scene_.shapes[s].corners;
     if (before != 0 &&
         std::any_of(corners.begin(), corners.end(), [&](PointId v) { return is_in_light(v, p, before); })) {
-      return QuickAnswer{Region::penumbra, true, {}};
+      return QuickAnswer{Region::penumbra, true};
     }
   }
-  if (all_beside) return QuickAnswer{Region::lit, true, {}};
+  if (all_beside) return QuickAnswer{Region::lit, true};
   return std::nullopt;
 }
 

@@ -18,7 +18,9 @@ namespace gnomon::event {
 struct QuickAnswer {
   Region region = Region::lit;
   bool is_certain_of_face = false;  ///< a vertex is seen before the light, or all of it: no triple-edge event ends that
-  std::optional<ShapeId> cover;     ///< umbra: a blocker that hides all of the light
+  std::optional<ShapeId> cover{};   ///< umbra: a blocker that hides all of the light
+  /// Penumbra: a light vertex that is seen, and one that is hidden, if such are known.
+  std::optional<std::array<std::uint32_t, 2>> witness{};
 };
 
 /// For every light vertex and blocker the half-spaces of the shadow that the vertex alone would throw.
@@ -72,6 +74,9 @@ class QuickSight {
   /// The region of a point of the receiver, given the blockers that may hide something from it; nothing if intervals do
   /// not tell.
   std::optional<QuickAnswer> region(const PointEnclosure& p, std::span<const ShapeId> near);
+
+  /// True if all of the light lies strictly in front of the receiver's plane.
+  bool is_light_in_front() const { return light_in_front_; }
 
  private:
   bool hides_nothing(ShapeId shape);

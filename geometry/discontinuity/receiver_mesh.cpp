@@ -5,11 +5,11 @@
 #include <map>
 
 #include "geometry/discontinuity/event_range.h"
+#include "geometry/discontinuity/face_labels.h"
 #include "geometry/discontinuity/plane_traces.h"
 #include "geometry/discontinuity/quick_sight.h"
 #include "geometry/discontinuity/receiver_mesh_data.h"
 #include "geometry/discontinuity/receiver_sight.h"
-#include "geometry/discontinuity/shaft.h"
 #include "geometry/discontinuity/wedge.h"
 #include "geometry/errors.h"
 #include "geometry/visibility/visible_fraction.h"
@@ -98,94 +98,6 @@ ReceiverPlane plane_of(const EventScene& scene, std::uint32_t receiver) {
   const auto& c = scene.receivers[receiver].corners;
   return {scene.points[c[0]].input, scene.points[c[1]].input, scene.points[c[2]].input};
 }
-
-std::uint32_t start_of(const ReceiverMesh::Data& data, MeshEdgeUse use) {
-  return use % 2 == 0 ? data.edges[use / 2].source : data.edges[use / 2].target;
-}
-
-std::vector<ExactVector> vertices_of(const ReceiverMesh::Data& data, const MeshFace& face) {
-  std::vector<ExactVector> vertices;
-  for (const MeshEdgeUse use : face.cycles[0]) {
-    vertices.push_back(data.plane.spatial(data.point(start_of(data, use))));
-  }
-  return vertices;
-}
-
-/// Finds the regions of faces, by intervals where these tell.
-class FaceLabels {
- public:
-  FaceLabels(const EventScene& scene, const event::VertexShadows& shadows, std::uint32_t receiver,
-             ReceiverMesh::Data& data, event::ReceiverSight& sight)
-      : scene_(scene), shadows_(shadows), quick_(scene, shadows, receiver), data_(data), sight_(sight) {}
-
-  void label_all() {
-    for (std::uint32_t f = 0; f < data_.faces.size(); ++f) data_.faces[f].region = region(f);
-  }
-
- private:
-  ReceiverRegion region(std::uint32_t f) {
-    if (const auto quick = quick_region(f)) return *quick;
-    const ExactVector inside = data_.plane.spatial(data_.arrangement.inner_point(f));
-    const event::FaceRegion found =
-        sight_.region_of_face({inside, vertices_of(data_, data_.faces[f]),
-                               [&] { return face_pieces(data_, data_.faces[f]); },
-                               [&](event::ShapeId s) { return hides_light_from(f, s); }});
-    return found.is_certain ? static_cast<ReceiverRegion>(found.region) : ReceiverRegion::unresolved_eee;
-  }
-
-  /// A narrow box around the point by which a face is judged.
-  event::FlatEnclosure inner_point(std::uint32_t f) const {
-    const event::FlatEnclosure near = data_.arrangement.near_inner_point(f);
-    const auto is_narrow = [](const Interval& c) {
-      return c.sup() - c.inf() <= 0x1p-46 * std::max(std::fabs(c.inf()), std::fabs(c.sup()));
-    };
-    if (is_narrow(near.x) && is_narrow(near.y)) return near;
-    const FlatPoint point = data_.arrangement.inner_point(f);
-    const auto x = CGAL::to_interval(point.x), y = CGAL::to_interval(point.y);
-    return {Interval(x.first, x.second), Interval(y.first, y.second)};
-  }
-
-  std::optional<ReceiverRegion> quick_region(std::uint32_t f) {
-    const event::FlatEnclosure flat = inner_point(f);
-    const CGAL::Protect_FPU_rounding<true> upward;
-    const event::PointEnclosure p = data_.plane.spatial(flat);
-    Point3 middle{p[0].inf() / 2 + p[0].sup() / 2, p[1].inf() / 2 + p[1].sup() / 2, p[2].inf() / 2 + p[2].sup() / 2};
-    const double size = std::max({std::fabs(middle.x), std::fabs(middle.y), std::fabs(middle.z)});
-    for (const Interval& c : p) {
-      if (!(c.sup() - c.inf() <= 0x1p-44 * size)) return std::nullopt;
-    }
-    scene_.shape_boxes.search(event::shaft(scene_, {&middle, 1}), near_);
-    const auto answer = quick_.region(p, near_);
-    const auto is_covered = [&] { return answer->cover && hides_light_from(f, *answer->cover) == true; };
-    if (!answer || !(answer->is_certain_of_face || is_covered())) return std::nullopt;
-    return static_cast<ReceiverRegion>(answer->region);
-  }
-
-  /// Whether one blocker hides all of the light from every vertex of the face, so from all of its hull; nothing where
-  /// that is not known of some vertex of the light.
-  std::optional<bool> hides_light_from(std::uint32_t f, event::ShapeId shape) const {
-    const CGAL::Protect_FPU_rounding<true> upward;
-    const auto n = static_cast<std::uint32_t>(scene_.light_vertices.size());
-    for (std::uint32_t l = 0; l < n; ++l) {
-      if (!shadows_.knows(l, shape)) return std::nullopt;
-    }
-    for (const MeshEdgeUse use : data_.faces[f].cycles[0]) {
-      const std::uint32_t v = start_of(data_, use);
-      const event::PointEnclosure near = data_.plane.spatial(data_.arrangement.near_point(v));
-      for (std::uint32_t l = 0; l < n; ++l) {
-        if (!shadows_.holds(l, shape, near, [&] { return data_.plane.spatial(data_.point(v)); })) return false;
-      }
-    }
-    return true;
-  }
-
-  const EventScene& scene_;
-  const event::VertexShadows& shadows_;
-  event::QuickSight quick_;
-  ReceiverMesh::Data& data_;
-  event::ReceiverSight& sight_;
-  std::vector<std::uint32_t> near_;
-};
 
 std::shared_ptr<ReceiverMesh::Data> subdivision(const EventScene& scene, std::uint32_t receiver,
                                                 const AllTraces& traces) {
@@ -295,7 +207,7 @@ std::size_t ReceiverDivision::size() const {
 ReceiverMesh ReceiverDivision::mesh(std::uint32_t receiver) const {
   const auto made = subdivision(*data_->scene, receiver, data_->traces);
   event::ReceiverSight sight(*data_->scene, data_->light, data_->blockers, receiver, made->plane);
-  FaceLabels(*data_->scene, data_->shadows, receiver, *made, sight).label_all();
+  label_faces(*data_->scene, data_->shadows, receiver, sight, *made);
   return ReceiverMesh(made);
 }
 

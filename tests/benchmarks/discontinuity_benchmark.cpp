@@ -1,5 +1,8 @@
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
+#include <tbb/parallel_for.h>
+
+#include <atomic>
 
 #include "geometry/discontinuity/receiver_mesh.h"
 #include "tests/benchmarks/box_stacks.h"
@@ -9,16 +12,24 @@
 namespace gnomon::benchmarks {
 namespace {
 
+enum class Threads { one, all };
+
 /// Counters: receivers, output faces, and the largest memory of the process so far in MB.
-void divide(benchmark::State& state, const Light& light, const BoxStacks& stacks) {
-  std::size_t faces = 0, events = 0;
+void divide(benchmark::State& state, const Light& light, const BoxStacks& stacks, Threads threads = Threads::one) {
+  std::atomic<std::size_t> faces = 0, events = 0;
   for (auto unused : state) {
     faces = events = 0;
     const ReceiverDivision division(light, stacks.boxes, stacks.receivers);
-    for (std::uint32_t r = 0; r < division.size(); ++r) {
+    const auto one = [&](std::uint32_t r) {
       const ReceiverMesh mesh = division.mesh(r);
       faces += mesh.faces().size();
       events += mesh.names().size();
+    };
+    const auto n = static_cast<std::uint32_t>(division.size());
+    if (threads == Threads::all) {
+      tbb::parallel_for(0U, n, one);
+    } else {
+      for (std::uint32_t r = 0; r < n; ++r) one(r);
     }
   }
   rusage usage{};
@@ -43,7 +54,19 @@ void stacks_under_square(benchmark::State& state) {
   divide(state, square_above(k), box_stacks(k));
 }
 
+/// Events are found by one thread, receivers divided by all; what counts is the time that passes.
+void stacks_under_distant_hexagon_by_all_threads(benchmark::State& state) {
+  const std::size_t k = stacks_along(state);
+  divide(state, distant_hexagon(k), box_stacks(k), Threads::all);
+}
+
 BENCHMARK(stacks_under_distant_hexagon)->DenseRange(1, 8)->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(stacks_under_distant_hexagon_by_all_threads)
+    ->Arg(5)
+    ->Arg(8)
+    ->Iterations(1)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK(stacks_under_square)->DenseRange(1, 8)->Iterations(1)->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <random>
+#include <string>
 #include <variant>
 
 #include "geometry/discontinuity/event_scene.h"
@@ -12,13 +14,14 @@ namespace {
 using Blockers = std::vector<ConvexBlocker>;
 
 /// Every facet of every solid, seen from outside.
-std::vector<ConvexPolygon> facets_of(const Blockers& solids) {
+std::vector<ConvexPolygon> facets_of(const Blockers& blockers) {
   std::vector<ConvexPolygon> facets;
-  for (const ConvexBlocker& blocker : solids) {
-    const auto& solid = std::get<ConvexSolid>(blocker);
-    for (const ConvexSolid::Facet& facet : solid.facets()) {
+  for (const ConvexBlocker& blocker : blockers) {
+    const auto* solid = std::get_if<ConvexSolid>(&blocker);
+    if (!solid) continue;
+    for (const ConvexSolid::Facet& facet : solid->facets()) {
       std::vector<Point3> loop;
-      for (const std::uint32_t k : facet.loop) loop.push_back(solid.points()[k]);
+      for (const std::uint32_t k : facet.loop) loop.push_back(solid->points()[k]);
       facets.push_back(ConvexPolygon::from_points(loop));
     }
   }
@@ -30,6 +33,41 @@ Blockers turned_stack(double twist) {
   return {turned_box(0, 0, 0, 0.5, 1, twist), turned_box(0, 0, 0.5, 1, 0.75, -twist),
           turned_box(0, 0.125, 1, 1.5, 0.5, 0.25 + twist), turned_box(1.5, -0.25, 0, 1.25, 0.25, 0.25)};
 }
+
+/// Boxes and plates of small whole numbers, one layer touching the next.
+class LayeredScene {
+ public:
+  explicit LayeredScene(unsigned seed) : random_(seed) {
+    const int layers = whole(2, 4);
+    for (int z = 0; z < layers; ++z) {
+      blockers_.push_back(blocker(z));
+      if (whole(0, 2) == 0) blockers_.push_back(plate(z + 0.5));
+    }
+    light_z_ = layers + whole(1, 2);
+  }
+  const Blockers& blockers() const { return blockers_; }
+  Light light() {
+    const int x = whole(-2, 1), y = whole(-2, 1);
+    return lamp(rectangle(x, y, x + whole(1, 2), y + whole(1, 2), light_z_, Facing::down));
+  }
+
+ private:
+  int whole(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
+  ConvexBlocker blocker(int z) {
+    if (whole(0, 3) == 0) return plate(z + 1);
+    const Point3 low{whole(-2, 1) / 1.0, whole(-2, 1) / 1.0, z / 1.0};
+    return box(low, {low.x + whole(1, 2), low.y + whole(1, 2), z + 1.0});
+  }
+  ConvexBlocker plate(double z) {
+    const double x = whole(-2, 1), y = whole(-2, 1);
+    if (whole(0, 1) == 0) return rectangle(x, y, x + whole(1, 2), y + whole(1, 2), z, Facing::up);
+    return ConvexPolygon::from_points({{x, y, z}, {x + 2, y + whole(-1, 1), z}, {x + whole(0, 1), y + 2, z}});
+  }
+
+  std::mt19937 random_;
+  Blockers blockers_;
+  int light_z_ = 0;
+};
 
 /// Asks exactly, face by face, at the point by which a face is judged; returns how many faces there were.
 std::size_t expect_exact_labels(const Light& light, const Blockers& blockers) {
@@ -65,6 +103,16 @@ TEST(FaceLabelsAgreement, OfFacetsAreThoseAskedExactlyFaceByFace) {
     faces += expect_exact_labels(lamp(rectangle(1990, -10, 2010, 10, 3000, Facing::down)), turned_stack(twist));
   }
   EXPECT_GT(faces, 2000U);
+}
+
+TEST(FaceLabelsAgreement, OnLayersOfTouchingBlockersAreThoseAskedExactlyFaceByFace) {
+  std::size_t faces = 0;
+  for (unsigned seed = 1; seed <= (GNOMON_LONG ? 2000 : 100); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    LayeredScene scene(seed);
+    faces += expect_exact_labels(scene.light(), scene.blockers());
+  }
+  EXPECT_GT(faces, 4000U);
 }
 
 }  // namespace

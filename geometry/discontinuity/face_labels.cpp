@@ -1,0 +1,164 @@
+#include "geometry/discontinuity/face_labels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "geometry/discontinuity/shaft.h"
+
+namespace gnomon::event {
+namespace {
+
+std::uint32_t start_of(const ReceiverMesh::Data& data, MeshEdgeUse use) {
+  return use % 2 == 0 ? data.edges[use / 2].source : data.edges[use / 2].target;
+}
+
+std::vector<ExactVector> vertices_of(const ReceiverMesh::Data& data, const MeshFace& face) {
+  std::vector<ExactVector> vertices;
+  for (const MeshEdgeUse use : face.cycles[0]) {
+    vertices.push_back(data.plane.spatial(data.point(start_of(data, use))));
+  }
+  return vertices;
+}
+
+/// Finds the regions of faces, by intervals where these tell, and spreads them across edges that do not change them.
+class FaceLabels {
+ public:
+  FaceLabels(const EventScene& scene, const VertexShadows& shadows, std::uint32_t receiver, ReceiverMesh::Data& data,
+             ReceiverSight& sight)
+      : scene_(scene),
+        shadows_(shadows),
+        quick_(scene, shadows, receiver),
+        data_(data),
+        sight_(sight),
+        is_labelled_(data.faces.size()) {}
+
+  void label_all() {
+    for (std::uint32_t f = 0; f < data_.faces.size(); ++f) {
+      if (is_labelled_[f]) continue;
+      const std::optional<QuickAnswer> quick = quick_answer(f);
+      set(f, quick ? static_cast<ReceiverRegion>(quick->region) : asked_region(f));
+      if (quick && quick_.is_light_in_front()) spread(f, *quick);
+    }
+  }
+
+ private:
+  void set(std::uint32_t f, ReceiverRegion region) {
+    data_.faces[f].region = region;
+    is_labelled_[f] = true;
+  }
+
+  /// Carries an answer as far as no edge may change what it rests on.
+  void spread(std::uint32_t first, const QuickAnswer& answer) {
+    const auto is_kept = [&](const MeshEdge& edge) {
+      return std::all_of(edge.names.begin(), edge.names.end(), [&](std::uint32_t n) {
+        return answer.region == Region::lit ? keeps_light_whole(data_.names[n])
+                                            : answer.witness && keeps(data_.names[n], *answer.witness);
+      });
+    };
+    std::vector<std::uint32_t> waiting{first};
+    while (!waiting.empty()) {
+      const std::uint32_t f = waiting.back();
+      waiting.pop_back();
+      for (const auto& cycle : data_.faces[f].cycles) {
+        for (const MeshEdgeUse use : cycle) {
+          const MeshEdge& edge = data_.edges[use / 2];
+          const std::uint32_t other = use % 2 == 0 ? edge.right : edge.left;
+          if (other == MeshEdge::nowhere || is_labelled_[other] || !is_kept(edge)) continue;
+          set(other, data_.faces[first].region);
+          waiting.push_back(other);
+        }
+      }
+    }
+  }
+
+  /// False if some light may begin or end to be hidden there: that happens along boundaries of occlusion alone.
+  static bool keeps_light_whole(const EventName& name) {
+    return name.kind == EventKind::vertex_edge && name.extremal == Extremal::none;
+  }
+
+  /// False if a light vertex of two may appear or vanish there: along edges in line with it, and nowhere else.
+  bool keeps(const EventName& name, const std::array<std::uint32_t, 2>& light_vertices) const {
+    if (name.kind != EventKind::vertex_edge) return false;
+    return std::none_of(light_vertices.begin(), light_vertices.end(), [&](std::uint32_t l) {
+      const LightVertex& v = scene_.light_vertices[l];
+      const auto ends_at_v = [&](const LightEdge& e) {
+        return e.name == name.edge && (e.a == v.point || e.b == v.point);
+      };
+      return name.vertex == v.name || std::any_of(scene_.light_edges.begin(), scene_.light_edges.end(), ends_at_v);
+    });
+  }
+
+  ReceiverRegion asked_region(std::uint32_t f) {
+    const ExactVector inside = data_.plane.spatial(data_.arrangement.inner_point(f));
+    const FaceRegion found = sight_.region_of_face({inside, vertices_of(data_, data_.faces[f]),
+                                                    [&] { return face_pieces(data_, data_.faces[f]); },
+                                                    [&](ShapeId s) { return hides_light_from(f, s); }});
+    return found.is_certain ? static_cast<ReceiverRegion>(found.region) : ReceiverRegion::unresolved_eee;
+  }
+
+  /// A narrow box around the point by which a face is judged.
+  FlatEnclosure inner_point(std::uint32_t f) const {
+    const FlatEnclosure near = data_.arrangement.near_inner_point(f);
+    const auto is_narrow = [](const Interval& c) {
+      return c.sup() - c.inf() <= 0x1p-46 * std::max(std::fabs(c.inf()), std::fabs(c.sup()));
+    };
+    if (is_narrow(near.x) && is_narrow(near.y)) return near;
+    const FlatPoint point = data_.arrangement.inner_point(f);
+    const auto x = CGAL::to_interval(point.x), y = CGAL::to_interval(point.y);
+    return {Interval(x.first, x.second), Interval(y.first, y.second)};
+  }
+
+  std::optional<QuickAnswer> quick_answer(std::uint32_t f) {
+    const FlatEnclosure flat = inner_point(f);
+    const CGAL::Protect_FPU_rounding<true> upward;
+    const PointEnclosure p = data_.plane.spatial(flat);
+    Point3 middle{p[0].inf() / 2 + p[0].sup() / 2, p[1].inf() / 2 + p[1].sup() / 2, p[2].inf() / 2 + p[2].sup() / 2};
+    const double size = std::max({std::fabs(middle.x), std::fabs(middle.y), std::fabs(middle.z)});
+    for (const Interval& c : p) {
+      if (!(c.sup() - c.inf() <= 0x1p-44 * size)) return std::nullopt;
+    }
+    scene_.shape_boxes.search(shaft(scene_, {&middle, 1}), near_);
+    const std::optional<QuickAnswer> answer = quick_.region(p, near_);
+    const auto is_covered = [&] { return answer->cover && hides_light_from(f, *answer->cover) == true; };
+    if (!answer || !(answer->is_certain_of_face || is_covered())) return std::nullopt;
+    return answer;
+  }
+
+  /// Whether one blocker hides all of the light from every vertex of the face, so from all of its hull; nothing where
+  /// that is not known of some vertex of the light.
+  std::optional<bool> hides_light_from(std::uint32_t f, ShapeId shape) const {
+    const CGAL::Protect_FPU_rounding<true> upward;
+    const auto n = static_cast<std::uint32_t>(scene_.light_vertices.size());
+    for (std::uint32_t l = 0; l < n; ++l) {
+      if (!shadows_.knows(l, shape)) return std::nullopt;
+    }
+    for (const MeshEdgeUse use : data_.faces[f].cycles[0]) {
+      const std::uint32_t v = start_of(data_, use);
+      const PointEnclosure near = data_.plane.spatial(data_.arrangement.near_point(v));
+      for (std::uint32_t l = 0; l < n; ++l) {
+        if (!shadows_.holds(l, shape, near, [&] { return data_.plane.spatial(data_.point(v)); })) return false;
+      }
+    }
+    return true;
+  }
+
+  const EventScene& scene_;
+  const VertexShadows& shadows_;
+  QuickSight quick_;
+  ReceiverMesh::Data& data_;
+  ReceiverSight& sight_;
+  std::vector<std::uint32_t> near_;
+  std::vector<bool> is_labelled_;
+};
+
+}  // namespace
+
+void label_faces(const EventScene& scene, const VertexShadows& shadows, std::uint32_t receiver, ReceiverSight& sight,
+                 ReceiverMesh::Data& data) {
+  FaceLabels(scene, shadows, receiver, data, sight).label_all();
+}
+
+}  // namespace gnomon::event
