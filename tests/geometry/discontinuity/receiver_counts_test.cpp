@@ -79,5 +79,29 @@ TEST(ReceiverCounts, OfSeparateTrianglesAreThoseOfOnePairEach) {
   }
 }
 
+TEST(ReceiverCounts, OfBoxesStandingApartAreThoseOfOneBoxEach) {
+  // From every corner of the triangular lamp one sees of each box the top and the two sides towards it. Of the outline
+  // two edges are upright and two belong to the top: 3 * 4 events of light vertices. Its top corners are three: 3 * 3
+  // events of light edges. Its other two edges lie on the floor, which 5 facets touch: the lowest and the four sides.
+  // Shadows are short and apart, so no event has elements of two boxes. Faces and regions as of triangles.
+  for (const int k : {1, 2, 3}) {
+    std::mt19937 random(5);
+    const Light light = lamp(triangle(random, -20, -16, 40, Facing::down));
+    Blockers blockers;
+    for (int i = 0; i < k * k; ++i) {
+      const double x = 8.0 * (i % k), y = 8.0 * (i / k);
+      blockers.push_back(box({x, y, 0}, {x + 2, y + 1.5, 1 + 0.25 * (i % 2)}));
+    }
+    const ConvexPolygon floor = rectangle(-8, -8, 8.0 * k, 8.0 * k, 0, Facing::up);
+    const ReceiverMesh mesh = receiver_meshes(light, blockers, std::vector{floor}).front();
+    const auto shadows = static_cast<std::size_t>(k * k);
+    EXPECT_EQ(mesh.names().size(), (3 * 4 + 3 * 3 + 5) * shadows + 4);
+    EXPECT_EQ(mesh.faces().size(), mesh.edges().size() - mesh.vertex_count() + 1 + shadows);
+    std::cout << k << " x " << k << " boxes: " << mesh.names().size() << " events, " << mesh.faces().size()
+              << " faces, " << mesh.regions().size() << " regions\n";
+    EXPECT_EQ(mesh.regions().size(), 1 + 2 * shadows);
+  }
+}
+
 }  // namespace
 }  // namespace gnomon
