@@ -47,6 +47,7 @@ class CoplanarPairs {
   void in_plane_of(std::uint32_t f) {
     const CuttingFacet& facet = scene_.cutting_facets[f];
     find_apexes({facet.loop[0], facet.loop[1], facet.loop[2]});
+    light_section_.assign(facet.light_ends.begin(), facet.light_ends.end());
     for (const EdgeId e : facet.edges) {
       take_wedges(e, {facet.light_ends[0], facet.light_ends[1], true, facet.name}, f);
     }
@@ -101,8 +102,10 @@ class CoplanarPairs {
     if (far_edge && (is_between_faces(*plane, *far_edge) || !cuts_light(*plane))) return;
     if (!meets_receivers(*plane)) return;
     find_apexes(*plane);
+    light_section_ = {far.a, far.b};
+    if (far_edge) find_light_section(*plane);
     take_wedges(near, far, {});
-    if (far_edge) take_wedges_from_light(near, far, *plane);
+    if (far_edge) take_wedges_from_light(near, far);
     forget_apexes();
   }
 
@@ -149,6 +152,7 @@ class CoplanarPairs {
   /// The corners in the plane of blockers that it cuts, and where it cuts those of their edges that may be seen.
   void find_apexes(const PlaneIds& plane) {
     point_count_ = scene_.points.size();
+    beside_ = point_beside(plane);
     apexes_.clear();
     search_along(plane);
     for (const std::uint32_t s : found_) {
@@ -185,6 +189,7 @@ class CoplanarPairs {
   void take_wedges(EdgeId near, const FarEdge& far, std::optional<std::uint32_t> facet) {
     const PointId a = scene_.edges[near].a, b = scene_.edges[near].b;
     for (const PointId apex : apexes_) {
+      if (are_apart(apex, {a, b}, std::array{far.a, far.b}) || are_apart(apex, {a, b}, light_section_)) continue;
       if (lies_on(apex, a, b)) {
         // A blocker that touches the near edge: all lines through the apex meet that one.
         take_({far.is_on_light ? WedgeKind::from_light_edge : WedgeKind::edge_first, apex, far.a, far.b, 0, near, facet,
@@ -197,14 +202,47 @@ class CoplanarPairs {
     }
   }
 
-  void take_wedges_from_light(EdgeId near, const FarEdge& far, const PlaneIds& plane) {
+  void take_wedges_from_light(EdgeId near, const FarEdge& far) {
+    for (const PointId apex : light_section_) {
+      if (apex < point_count_) continue;  // a vertex: its events are found elsewhere
+      take_({WedgeKind::from_light_vertex, apex, scene_.edges[near].a, scene_.edges[near].b, 0, near, {}, far});
+    }
+  }
+
+  /// Where the plane cuts the edges of the light and of what meets the light.
+  void find_light_section(const PlaneIds& plane) {
+    light_section_.clear();
     for (const auto* list : {&scene_.light_edges, &scene_.cut_edges}) {
       for (const LightEdge& e : *list) {
-        if (side(plane, e.a) * side(plane, e.b) >= 0) continue;
-        const PointId apex = add_crossing(plane, e.a, e.b);
-        take_({WedgeKind::from_light_vertex, apex, scene_.edges[near].a, scene_.edges[near].b, 0, near, {}, far});
+        const int at_a = side(plane, e.a), at_b = side(plane, e.b);
+        if (at_a == 0) light_section_.push_back(e.a);
+        if (at_b == 0) light_section_.push_back(e.b);
+        if (at_a * at_b < 0) light_section_.push_back(add_crossing(plane, e.a, e.b));
       }
     }
+  }
+
+  /// A vertex of the light off the plane: seen from there, turns in the plane have signs.
+  PointId point_beside(const PlaneIds& plane) const {
+    for (const LightVertex& v : scene_.light_vertices) {
+      if (side(plane, v.point) != 0) return v.point;
+    }
+    return plane[0];
+  }
+
+  /// True if certainly no line through the apex meets both segments: all ends of one turn alike from those of the
+  /// other.
+  bool are_apart(PointId apex, const std::array<PointId, 2>& p, std::span<const PointId> q) const {
+    unsigned signs = 0;
+    for (const PointId a : p) {
+      for (const PointId b : q) {
+        const auto sign = certain_sign(
+            bracket<Interval>(scene_.points[apex], scene_.points[a], scene_.points[b], scene_.points[beside_]));
+        if (!sign || *sign == 0) return false;
+        signs |= *sign > 0 ? 1U : 2U;
+      }
+    }
+    return signs != 3U;
   }
 
   EventScene& scene_;
@@ -212,6 +250,8 @@ class CoplanarPairs {
   std::vector<std::uint32_t> found_;
   std::vector<EdgeId> far_;
   std::vector<PointId> apexes_;
+  std::vector<PointId> light_section_;  ///< ends of what the plane has of the light, and of blockers that cut it
+  PointId beside_ = 0;
   std::size_t point_count_ = 0;
 };
 

@@ -206,8 +206,8 @@ FaceRegion ReceiverSight::region_of_face(const FaceOfReceiver& face) {
   collect_in_shaft(face.vertices);
   if (part.region == Region::penumbra && shows_one_point(part, face.vertices)) return {part.region, true};
   const std::vector<FacePiece> pieces = face.pieces();
-  const bool is_certain = !region_may_change(scene_, near_, pieces) ||
-                          (part.region == Region::penumbra && shows_light_to_all(pieces));
+  const bool is_certain =
+      !region_may_change(scene_, near_, pieces) || (part.region == Region::penumbra && shows_light_to_all(pieces));
   return {part.region, is_certain};
 }
 

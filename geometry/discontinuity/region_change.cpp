@@ -44,8 +44,8 @@ class PieceTest {
   PieceTest(const std::vector<Outline>& edges, const Piece& piece) : edges_(edges), piece_(piece) {
     normals_.reserve(edges.size());
     for (const Outline& e : edges) {
-      normals_.push_back({normal(e, piece.corners[0].place), normal(e, piece.corners[1].place),
-                          normal(e, piece.corners[2].place)});
+      normals_.push_back(
+          {normal(e, piece.corners[0].place), normal(e, piece.corners[1].place), normal(e, piece.corners[2].place)});
     }
     for (std::size_t k = 0; k < 3; ++k) {
       const ExactVector &p = piece.corners[k].place.exact, &q = piece.corners[(k + 1) % 3].place.exact;

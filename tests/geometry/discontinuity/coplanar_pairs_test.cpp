@@ -95,6 +95,17 @@ TEST(CoplanarPairs, OfBlockersAreTracedWhereOthersHideAllFourEnds) {
   }
 }
 
+TEST(CoplanarPairs, OfBlockersAreTracedWhereTheirPlanePassesThroughVerticesOfTheLight) {
+  const Light kite = lamp(ConvexPolygon::from_points({{0, -4, 3}, {-1, 0, 3}, {0, 4, 3}, {1, 0, 3}}));
+  for (const double z : {0.5, 1.5, 2.5}) {
+    SCOPED_TRACE(z);
+    const Blockers blockers = covered(boards(1.5), z);
+    const ReceiverMesh mesh = mesh_of(kite, blockers);
+    EXPECT_EQ(length_on_axis(mesh, is_of_boards), 0.5);
+    EXPECT_EQ(compare_with_definition(mesh, ground, kite, blockers, 200, 11).different, 0U);
+  }
+}
+
 TEST(CoplanarPairs, OfBlockersEndWhereOthersLeaveNoGapBeforeThem) {
   Blockers blockers = covered(boards(1.5), 0.5);
   blockers.back() = box({-9, -30, 2.25}, {9, -0.125, 2.375});
