@@ -141,9 +141,9 @@ std::string hard_cases_section(const Report& report) {
          std::to_string(points) +
          " points around it, whose regions the exact level tells, so many are given a wrong region by the\nsame "
          "boundary walk in plain doubles, by floats (Embree; 256 rays, so some are missed for want of rays), and by "
-         "gnomon.\nOf `thousand_gon_blocker` a tenth of the points is tried, as the exact level takes a tenth of a "
-         "second for each. The last column is the share of gnomon's answers that had to come from the exact "
-         "level.\n\n" +
+         "gnomon.\nThe exact level is given a flat blocker of many corners cut into pieces of few, which is the same "
+         "blocker and takes\nit less time. The last column is the share of gnomon's answers that had to come from the "
+         "exact level.\n\n" +
          hard_case_remarks(report.hard_cases) + "\n" + picture("hard_cases", "Wrong regions around hard cases") +
          picture("hard_case_times", "Time per answer around hard cases") + hard_cases_table(report.hard_cases) + "\n";
 }

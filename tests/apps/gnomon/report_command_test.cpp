@@ -47,7 +47,7 @@ void expect_hard_cases_right(const json& cases) {
   for (const json& hard : cases) {
     const std::string name = hard["name"];
     EXPECT_TRUE(names.insert(name).second) << name;
-    EXPECT_EQ(hard["points"], name == "thousand_gon_blocker" ? 20 : 200) << name;
+    EXPECT_EQ(hard["points"], 200) << name;
     EXPECT_EQ(hard["misclassified"]["gnomon"], 0) << name;
     EXPECT_EQ(hard["outside_bound"], 0) << name;
     EXPECT_TRUE(hard["irradiance_is_right"]) << name;
