@@ -1,8 +1,8 @@
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
+#include "apps/report/box_stacks.h"
 #include "geometry/discontinuity/receiver_mesh.h"
-#include "tests/benchmarks/box_stacks.h"
 
 // k x k stacks of 8 boxes on a floor, every face a receiver (48 k^2 + 1 of them), divided by all edge-vertex events and
 // labelled: under a small distant light, and under a square light three stack heights above the floor.
@@ -10,7 +10,7 @@ namespace gnomon::benchmarks {
 namespace {
 
 /// Counters: receivers, output faces, and the largest memory of the process so far in MB.
-void divide(benchmark::State& state, const Light& light, const BoxStacks& stacks) {
+void divide(benchmark::State& state, const Light& light, const report::BoxStacks& stacks) {
   std::size_t faces = 0, events = 0;
   for (auto unused : state) {
     faces = events = 0;
@@ -35,12 +35,12 @@ std::size_t stacks_along(const benchmark::State& state) {
 
 void stacks_under_distant_hexagon(benchmark::State& state) {
   const std::size_t k = stacks_along(state);
-  divide(state, distant_hexagon(k), box_stacks(k));
+  divide(state, report::distant_hexagon(k), report::box_stacks(k));
 }
 
 void stacks_under_square(benchmark::State& state) {
   const std::size_t k = stacks_along(state);
-  divide(state, square_above(k), box_stacks(k));
+  divide(state, report::square_above(k), report::box_stacks(k));
 }
 
 BENCHMARK(stacks_under_distant_hexagon)->DenseRange(1, 8)->Iterations(1)->Unit(benchmark::kMillisecond);

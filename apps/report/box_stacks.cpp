@@ -1,10 +1,10 @@
-#include "tests/benchmarks/box_stacks.h"
+#include "apps/report/box_stacks.h"
 
 #include <cmath>
 #include <numbers>
 #include <utility>
 
-namespace gnomon::benchmarks {
+namespace gnomon::report {
 namespace {
 
 constexpr double pitch = 4;
@@ -89,4 +89,4 @@ Light square_above(std::size_t k) {
                    false};
 }
 
-}  // namespace gnomon::benchmarks
+}  // namespace gnomon::report

@@ -1,9 +1,9 @@
-#include "tests/benchmarks/plain_walk.h"
+#include "apps/report/plain_walk.h"
 
 #include <algorithm>
 #include <span>
 
-namespace gnomon::benchmarks {
+namespace gnomon::report {
 namespace {
 
 double determinant(const Point3& p, const Point3& q, const Point3& r, const Point3& s) {
@@ -92,4 +92,4 @@ ExtremalPlanes plain_extremal_planes(const AreaLight& light, const ConvexPolygon
   return planes;
 }
 
-}  // namespace gnomon::benchmarks
+}  // namespace gnomon::report
