@@ -30,6 +30,17 @@ std::optional<double> memory(const Report& report, const std::string& task, std:
   return found == nullptr ? std::nullopt : std::optional(static_cast<double>(found->memory));
 }
 
+/// The time that CGAL takes for the hull of the shadows of 4 by 4 vertices, divided by what it takes where 300 ns are
+/// wanted for the planes.
+double hull_scale(const Report& report) {
+  constexpr double hull_there = 59e-6;
+  for (const Measurement& m : report.measurements) {
+    if (m.task == "occlusion_volume" && m.method == "convex_hull_3" && m.size == 4)
+      return m.seconds.median / hull_there;
+  }
+  return 1;
+}
+
 std::optional<double> quotient(std::optional<double> a, std::optional<double> b) {
   return a && b ? std::optional(*a / *b) : std::nullopt;
 }
@@ -64,7 +75,10 @@ void add_planes(Findings& all, const Report& report) {
   const auto growth = quotient(seconds(report, "exact_planes", 256), seconds(report, "exact_planes", 16));
   ratios.add("extremal planes, time per vertex for 256 beside 16", 1.3, quotient(growth, 256.0 / 16));
   const Limits times{all, "extremal_planes", time_text};
-  times.add("extremal planes of 4 by 4 vertices", 300e-9 * machine_scale(report), seconds(report, "exact_planes", 4));
+  const auto squares = seconds(report, "exact_planes", 4);
+  times.add("extremal planes of 4 by 4 vertices", 300e-9 * machine_scale(report), squares);
+  times.add("extremal planes of 4 by 4 vertices, scaled by what convex_hull_3 takes (59 µs)",
+            300e-9 * hull_scale(report), squares);
 }
 
 void add_meshes(Findings& all, const Report& report) {
