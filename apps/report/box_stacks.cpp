@@ -36,7 +36,7 @@ void add_box(BoxStacks& stacks, double x, double y, double z, double turn, doubl
   }
   stacks.receivers.push_back(ConvexPolygon::from_points(top));
   stacks.receivers.push_back(ConvexPolygon::from_points(bottom));
-  stacks.boxes.push_back(ConvexSolid::hull_of(points));
+  stacks.boxes.emplace_back(ConvexSolid::hull_of(points));
 }
 
 }  // namespace

@@ -50,9 +50,10 @@ void walk(const Walk& light, const Walk& blocker, double outward, OnContact cont
   };
   for (std::uint32_t k = 0; k < blocker.size(); ++k) {
     double gained = gain(*here, *there);
-    for (; gained > 0; gained = gain(*here, *there)) {
+    while (gained > 0) {
       step(j, k);
       advance();
+      gained = gain(*here, *there);
     }
     contact(k, gained == 0 ? std::min(light.vertex(j), light.vertex(ahead)) : light.vertex(j));
     if (gained == 0) advance();
