@@ -11,6 +11,7 @@
 #include "apps/report/receiver_tasks.h"
 #include "apps/report/report.h"
 #include "apps/report/targets.h"
+#include "apps/report/timings.h"
 #include "apps/report/volume_tasks.h"
 #include "viz/staged_folder.h"
 
@@ -49,6 +50,17 @@ std::vector<report::Measurement> measurements(const ReportOptions& options, Prog
   std::vector<report::Measurement> all;
   for (const report::Task& task : tasks) {
     for (report::Measurement& measurement : task.measure()) all.push_back(std::move(measurement));
+    progress.step();
+  }
+  return all;
+}
+
+std::vector<report::Timing> timings(const ReportOptions& options, Progress::Visibility shown) {
+  const std::vector<report::TimingTask> tasks = report::timing_tasks(options.effort());
+  Progress progress("timings", tasks.size(), shown);
+  std::vector<report::Timing> all;
+  for (const report::TimingTask& task : tasks) {
+    for (report::Timing& timing : task.measure()) all.push_back(std::move(timing));
     progress.step();
   }
   return all;
@@ -114,6 +126,7 @@ ExitCode report_command(Arguments arguments) {
   report.effort = options.effort();
   report.machine = report::machine();
   report.measurements = measurements(options, shown);
+  report.timings = timings(options, shown);
   report.hard_cases = hard_case_results(options, shown);
   report.rotations = report::rotation_results(options.effort());
   const std::vector<std::string> files = written(report, options.out, staged);

@@ -6,6 +6,7 @@
 #include <span>
 #include <thread>
 
+#include "apps/report/divided_blockers.h"
 #include "apps/report/embree_sight.h"
 #include "apps/report/plain_sight.h"
 #include "apps/report/truth.h"
@@ -19,7 +20,8 @@ constexpr int bits = 256;
 constexpr std::size_t rays_along_side = 16;
 constexpr std::size_t most_timed_points = 200;
 
-std::vector<Visibility> true_answers(const HardCase& hard, const Obstacles& obstacles, std::span<const Point3> points) {
+std::vector<Visibility> true_answers(const HardCase& hard, std::span<const Point3> points) {
+  const Obstacles obstacles{divided(hard.blockers), {}};
   std::vector<Visibility> answers(points.size());
   const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
   std::vector<std::future<void>> parts;
@@ -66,8 +68,8 @@ HardCaseResult hard_case_trial(const HardCase& hard, Effort effort) {
   result.name = hard.name;
   result.about = hard.about;
   const PreparedObstacles obstacles(Obstacles{hard.blockers, {}});
-  const std::vector<Point3> points = points_around(hard, (effort == Effort::quick ? 200 : 10000) / hard.one_of);
-  const std::vector<Visibility> truths = true_answers(hard, obstacles.obstacles(), points);
+  const std::vector<Point3> points = points_around(hard, effort == Effort::quick ? 200 : 10000);
+  const std::vector<Visibility> truths = true_answers(hard, points);
   LightVisibility gnomon(hard.light, obstacles);
   PlainSight plain(hard.light, hard.blockers);
   EmbreeSight embree(hard.light, hard.blockers);

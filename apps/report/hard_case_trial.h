@@ -31,7 +31,7 @@ struct HardCaseResult {
   Seconds seconds;                       ///< per answer of gnomon
 };
 
-/// Tries 10,000 points of a hard case, or 200, against the exact level; one of `one_of` of them.
+/// Tries 10,000 points of a hard case, or 200, against the exact level.
 /// Cost: the exact level answers on all processors.
 HardCaseResult hard_case_trial(const HardCase& hard, Effort effort);
 

@@ -226,9 +226,7 @@ void add_corners(Corpus& all) {
                  "a blocker of a thousand corners",
                  lamp,
                  {ConvexPolygon::from_points(flat_round(1000, 1, 2))},
-                 {2, 0, 0},
-                 {0, 0, 1},
-                 10});
+                 {2, 0, 0}});
   all.push_back({"thousand_gon_light",
                  "a light of a thousand corners",
                  {ConvexPolygon::from_points(round)},

@@ -16,7 +16,6 @@ struct HardCase {
   std::vector<ConvexBlocker> blockers;
   Point3 focus;
   Point3 normal{0, 0, 1};
-  std::size_t one_of = 1;  ///< one of so many points is tried: the exact level is slow here
 };
 
 /// The corpus: events met exactly and one ulp off, far and small and needle-like things, contact and penetration,

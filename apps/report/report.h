@@ -8,6 +8,7 @@
 #include "apps/report/measurement.h"
 #include "apps/report/rotation.h"
 #include "apps/report/sight_tasks.h"
+#include "apps/report/timings.h"
 
 namespace gnomon::report {
 
@@ -16,6 +17,7 @@ struct Report {
   Effort effort = Effort::full;
   std::vector<std::pair<std::string, std::string>> machine;
   std::vector<Measurement> measurements;
+  std::vector<Timing> timings;
   std::vector<HardCaseResult> hard_cases;
   std::vector<RotationResult> rotations;
 };

@@ -36,6 +36,13 @@ ordered_json entry(const Measurement& m) {
   return result;
 }
 
+ordered_json entry(const Timing& t) {
+  ordered_json result = {{"task", t.task}, {"size", t.size}, {"count", t.count}};
+  add_times(result, t.seconds);
+  result["bytes"] = t.memory;
+  return result;
+}
+
 ordered_json entry(const HardCaseResult& r) {
   ordered_json regions;
   for (std::size_t k = 0; k < r.regions.size(); ++k) regions[std::string(name(static_cast<Region>(k)))] = r.regions[k];
@@ -90,6 +97,7 @@ TextFile report_json(const Report& report) {
   for (const auto& [name, value] : report.machine) document["machine"][name] = value;
   document["hard_cases"] = list(report.hard_cases);
   document["speed_vs_error"] = list(report.measurements);
+  document["timings"] = list(report.timings);
   document["equivalent_point_lights"] = list(equivalents(report.measurements));
   document["rotation"] = list(report.rotations);
   return {"report.json", document.dump(1) + '\n'};

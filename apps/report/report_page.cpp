@@ -5,6 +5,7 @@
 #include "apps/report/selection.h"
 #include "apps/report/tables.h"
 #include "apps/report/targets.h"
+#include "apps/report/timing_targets.h"
 
 namespace gnomon::report {
 namespace {
@@ -30,6 +31,26 @@ std::string verdicts(const Report& report) {
   return (missed.empty() ? "All of what is wanted and measured here was reached in this run.\n"
                          : "In this run the following falls short of what is wanted:\n\n" + missed) +
          "\n" + markdown_table(rows);
+}
+
+/// The targets that this run has no figures for, each with what measures it.
+std::string not_measured(const Report& report) {
+  const std::vector<Finding> others = unmeasured(report);
+  if (others.empty()) {
+    return "These are all targets that the project's benchmarks state; `./bootstrap bench` measures more sizes.\n\n";
+  }
+  std::vector<Row> rows = {{"what", "wanted", "measured by"}};
+  for (const Finding& other : others) rows.push_back({other.subject, other.wanted, "`" + other.command + "`"});
+  return "Not measured in this run, but by `gnomon report --out DIR` without `--quick`, and by the benchmarks:\n\n" +
+         markdown_table(rows) + "\n";
+}
+
+/// What the wanted times hold for.
+std::string scale_text(const Report& report) {
+  const double scale = machine_scale(report);
+  return "Times of extremal planes and meshes are wanted of a machine on which plain doubles take " +
+         time_text(plain_planes_there) + "\nfor the planes of 4 by 4 vertices; here they take " +
+         time_text(plain_planes_there * scale) + ", and what is wanted is scaled likewise.\n\n";
 }
 
 std::string time_cell(const Seconds& seconds) {
@@ -141,9 +162,9 @@ std::string hard_cases_section(const Report& report) {
          std::to_string(points) +
          " points around it, whose regions the exact level tells, so many are given a wrong region by the\nsame "
          "boundary walk in plain doubles, by floats (Embree; 256 rays, so some are missed for want of rays), and by "
-         "gnomon.\nOf `thousand_gon_blocker` a tenth of the points is tried, as the exact level takes a tenth of a "
-         "second for each. The last column is the share of gnomon's answers that had to come from the exact "
-         "level.\n\n" +
+         "gnomon.\nThe exact level is given a flat blocker of many corners cut into pieces of few, which is the same "
+         "blocker and takes\nit less time. The last column is the share of gnomon's answers that had to come from the "
+         "exact level.\n\n" +
          hard_case_remarks(report.hard_cases) + "\n" + picture("hard_cases", "Wrong regions around hard cases") +
          picture("hard_case_times", "Time per answer around hard cases") + hard_cases_table(report.hard_cases) + "\n";
 }
@@ -201,8 +222,7 @@ TextFile report_page(const Report& report) {
                            "Made by `gnomon report --out DIR" + (quick ? " --quick" : "") + "` on " + date_of(report) +
                            ". Counts and errors are the same in every run; times are those of this machine.\n\n" +
                            machine_table(report) + "\n## What is reached, and what is not\n\n" + verdicts(report) +
-                           "\nOther figures of the project, of extremal planes and of large scenes, are measured by "
-                           "`./bootstrap bench`.\n\n";
+                           "\n" + scale_text(report) + not_measured(report);
   return {"report.md",
           head + methods_section() + sizes_of_task(report, "visible_fraction", "Visible fraction", "triangle") +
               sizes_of_task(report, "irradiance", "Irradiance", "triangle") + equivalents_section(report) +

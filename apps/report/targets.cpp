@@ -5,6 +5,7 @@
 
 #include "apps/report/pareto.h"
 #include "apps/report/tables.h"
+#include "apps/report/timing_targets.h"
 
 namespace gnomon::report {
 namespace {
@@ -20,8 +21,8 @@ const Measurement* measurement(const Report& report, const std::string& task, co
 }
 
 void add_time(Findings& all, const std::string& subject, double wanted, const Measurement* m) {
-  if (m == nullptr) return;
-  all.push_back({subject, "at most " + time_text(wanted), time_text(m->seconds.median), m->seconds.median <= wanted});
+  all.push_back({subject, "at most " + time_text(wanted), m == nullptr ? "" : time_text(m->seconds.median),
+                 m != nullptr && m->seconds.median <= wanted, false, "./bootstrap bench visibility_fast"});
 }
 
 void add_times(Findings& all, const Report& report) {
@@ -31,10 +32,6 @@ void add_times(Findings& all, const Report& report) {
     const std::string subject = "region, fraction and irradiance with bounds behind " + counted_text(n, "triangle");
     add_time(all, subject, wanted, measurement(report, "irradiance", "gnomon", n));
   }
-  for (const auto& [n, wanted] : {std::pair<std::size_t, double>{4, 10e-6}, {64, 150e-6}}) {
-    const std::string subject = "occlusion and umbra meshes of " + std::to_string(n) + " by " + std::to_string(n);
-    add_time(all, subject + " vertices", wanted, measurement(report, "occlusion_volume", "gnomon", n));
-  }
 }
 
 /// How many times faster than stratified sampling at a relative error of 1e-3.
@@ -42,16 +39,16 @@ void add_speedups(Findings& all, const Report& report) {
   for (const auto& [n, wanted] : {std::pair<std::size_t, double>{1, 200}, {64, 30}, {1024, 25}}) {
     const Measurement* gnomon = measurement(report, "irradiance", "gnomon", n);
     const auto sampling = seconds_for_relative_error(report.measurements, "irradiance", "embree_stratified", n, 1e-3);
-    if (gnomon == nullptr || !sampling) continue;
-    const double found = *sampling / gnomon->seconds.median;
+    const double found = gnomon == nullptr || !sampling ? 0 : *sampling / gnomon->seconds.median;
     all.push_back(
         {"faster than Embree's stratified samples at an error of 1e-3 of the mean, " + counted_text(n, "triangle"),
-         "at least " + short_text(wanted) + " times", short_text(found) + " times", found >= wanted});
+         "at least " + short_text(wanted) + " times", found == 0 ? "" : short_text(found) + " times", found >= wanted,
+         false, "./bootstrap bench visibility"});
   }
 }
 
 void add_count(Findings& all, const std::string& subject, std::size_t wrong, std::size_t of) {
-  all.push_back({subject, "0", std::to_string(wrong) + " of " + std::to_string(of), wrong == 0, true});
+  all.push_back({subject, "0", std::to_string(wrong) + " of " + std::to_string(of), wrong == 0, true, ""});
 }
 
 void add_counts(Findings& all, const Report& report) {
@@ -74,13 +71,27 @@ void add_counts(Findings& all, const Report& report) {
   add_count(all, "results outside the bound they claim behind random triangles", broken, claims);
 }
 
-}  // namespace
-
-std::vector<Finding> findings(const Report& report) {
+Findings all_targets(const Report& report) {
   Findings all;
   add_counts(all, report);
   add_times(all, report);
   add_speedups(all, report);
+  const Findings more = timing_findings(report);
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+}  // namespace
+
+std::vector<Finding> findings(const Report& report) {
+  Findings all = all_targets(report);
+  std::erase_if(all, [](const Finding& finding) { return !finding.is_measured(); });
+  return all;
+}
+
+std::vector<Finding> unmeasured(const Report& report) {
+  Findings all = all_targets(report);
+  std::erase_if(all, [](const Finding& finding) { return finding.is_measured(); });
   return all;
 }
 

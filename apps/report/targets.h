@@ -11,12 +11,17 @@ namespace gnomon::report {
 struct Finding {
   std::string subject;
   std::string wanted;
-  std::string found;
+  std::string found;  ///< empty if this run did not measure it
   bool reached = false;
   bool is_promise = false;  ///< it holds on every machine; if it is missed, gnomon is wrong
+  std::string command;      ///< what else measures it; empty for a promise
+
+  bool is_measured() const { return !found.empty(); }
 };
 
-/// Every target that the report has figures for: times, times beside other methods, no wrong answer.
+/// Every target of the project's benchmarks: times, times beside other methods, growth, memory, no wrong answer; those
+/// that this run measured, or the others.
 std::vector<Finding> findings(const Report& report);
+std::vector<Finding> unmeasured(const Report& report);
 
 }  // namespace gnomon::report

@@ -49,8 +49,8 @@ TriangleScene drawn_scene(std::size_t n, std::size_t points, std::size_t seed) {
 
 }  // namespace
 
-TriangleScene triangle_scene(std::size_t n) {
-  return drawn_scene(n, 512, n);
+TriangleScene triangle_scene(std::size_t n, std::size_t points) {
+  return drawn_scene(n, points, n);
 }
 
 std::vector<TriangleScene> triangle_scenes(std::size_t n) {

@@ -17,7 +17,7 @@ struct TriangleScene {
 
 /// The scene with n triangles of circumradius 0.9 / sqrt(n) + 0.02, each in a random plane, their centres spread
 /// evenly over [-1,1]² and the heights from 1 to 3. Always the same for an n.
-TriangleScene triangle_scene(std::size_t n);
+TriangleScene triangle_scene(std::size_t n, std::size_t points = 512);
 
 /// 512 points in all, of one scene or, where a few triangles may happen to stand aside, of sixteen.
 std::vector<TriangleScene> triangle_scenes(std::size_t n);

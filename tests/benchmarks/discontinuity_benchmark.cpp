@@ -4,8 +4,8 @@
 
 #include <atomic>
 
+#include "apps/report/box_stacks.h"
 #include "geometry/discontinuity/receiver_mesh.h"
-#include "tests/benchmarks/box_stacks.h"
 
 // k x k stacks of 8 boxes on a floor, every face a receiver (48 k^2 + 1 of them), divided by all edge-vertex events and
 // labelled: under a small distant light, and under a square light three stack heights above the floor.
@@ -15,7 +15,8 @@ namespace {
 enum class Threads { one, all };
 
 /// Counters: receivers, output faces, and the largest memory of the process so far in MB.
-void divide(benchmark::State& state, const Light& light, const BoxStacks& stacks, Threads threads = Threads::one) {
+void divide(benchmark::State& state, const Light& light, const report::BoxStacks& stacks,
+            Threads threads = Threads::one) {
   std::atomic<std::size_t> faces = 0, events = 0;
   for (auto unused : state) {
     faces = events = 0;
@@ -46,18 +47,18 @@ std::size_t stacks_along(const benchmark::State& state) {
 
 void stacks_under_distant_hexagon(benchmark::State& state) {
   const std::size_t k = stacks_along(state);
-  divide(state, distant_hexagon(k), box_stacks(k));
+  divide(state, report::distant_hexagon(k), report::box_stacks(k));
 }
 
 void stacks_under_square(benchmark::State& state) {
   const std::size_t k = stacks_along(state);
-  divide(state, square_above(k), box_stacks(k));
+  divide(state, report::square_above(k), report::box_stacks(k));
 }
 
 /// Events are found by one thread, receivers divided by all; what counts is the time that passes.
 void stacks_under_distant_hexagon_by_all_threads(benchmark::State& state) {
   const std::size_t k = stacks_along(state);
-  divide(state, distant_hexagon(k), box_stacks(k), Threads::all);
+  divide(state, report::distant_hexagon(k), report::box_stacks(k), Threads::all);
 }
 
 BENCHMARK(stacks_under_distant_hexagon)->DenseRange(1, 8)->Iterations(1)->Unit(benchmark::kMillisecond);

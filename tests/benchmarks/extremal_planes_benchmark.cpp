@@ -4,10 +4,10 @@
 
 #include <string>
 
+#include "apps/report/plain_walk.h"
 #include "apps/report/polygon_pairs.h"
 #include "apps/report/volume_peers.h"
 #include "tests/benchmarks/cgal_baselines.h"
-#include "tests/benchmarks/plain_walk.h"
 #include "tests/benchmarks/ratios.h"
 
 // All extremal planes of a light and a blocker of n vertices each: exact (precondition checked), by the same walk in
@@ -33,11 +33,11 @@ void exact_of_aligned_squares(benchmark::State& state) {
 void plain_doubles(benchmark::State& state) {
   const report::PolygonPair pair = report::generic_pair(static_cast<std::uint32_t>(state.range(0)));
   const auto& light = std::get<AreaLight>(pair.light);
-  if (!same(plain_extremal_planes(light, pair.blocker), extremal_planes(pair.light, pair.blocker))) {
+  if (!same(report::plain_extremal_planes(light, pair.blocker), extremal_planes(pair.light, pair.blocker))) {
     state.SkipWithError("the plain walk names other planes");
     return;
   }
-  for (auto _ : state) benchmark::DoNotOptimize(plain_extremal_planes(light, pair.blocker));
+  for (auto _ : state) benchmark::DoNotOptimize(report::plain_extremal_planes(light, pair.blocker));
 }
 
 void convex_hull(benchmark::State& state) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "apps/report/polygon_pairs.h"
+#include "apps/report/spheres.h"
 #include "tests/benchmarks/memory.h"
 #include "tests/benchmarks/ratios.h"
 
@@ -33,46 +34,16 @@ void meshes_of_aligned_squares(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(shadow_meshes(pair.light, blocker, box, surfaces));
 }
 
-/// Points on a sphere along a spiral; their hull has twice as many facets, less four.
-std::vector<Point3> spiral(std::uint32_t count, double radius, const Point3& centre) {
-  std::vector<Point3> points;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const double z = 1 - (2.0 * i + 1) / count;
-    const double angle = 2.399963229728653 * i;
-    const double r = std::sqrt(1 - z * z);
-    points.push_back(
-        {centre.x + radius * r * std::cos(angle), centre.y + radius * r * std::sin(angle), centre.z + radius * z});
-  }
-  return points;
-}
-
-Light square_lamp() {
-  return AreaLight{ConvexPolygon::from_points({{-0.9, -1.1, 6}, {-1.2, 0.8, 6}, {1.1, 1.05, 6}, {0.95, -0.85, 6}})};
-}
-
 void solid(benchmark::State& state) {
-  const auto corners = static_cast<std::uint32_t>(state.range(0) / 2 + 2);
-  const Light light = square_lamp();
-  const ConvexBlocker blocker = ConvexSolid::hull_of(spiral(corners, 1.3, {0.1, -0.2, 1.7}));
+  const Light light = report::lamp_above_sphere();
+  const ConvexBlocker blocker = report::sphere(static_cast<std::uint32_t>(state.range(0)));
   for (auto _ : state) benchmark::DoNotOptimize(shadow_meshes(light, blocker, box, surfaces));
-}
-
-/// The facets of a sphere of triangles, each a blocker of its own.
-std::vector<ConvexBlocker> triangles(std::uint32_t facets) {
-  const ConvexSolid sphere = ConvexSolid::hull_of(spiral(facets / 2 + 2, 1.3, {0.1, -0.2, 1.7}));
-  std::vector<ConvexBlocker> parts;
-  for (const ConvexSolid::Facet& facet : sphere.facets()) {
-    std::vector<Point3> points;
-    for (const std::uint32_t i : facet.loop) points.push_back(sphere.points()[i]);
-    parts.emplace_back(ConvexPolygon::from_points(points));
-  }
-  return parts;
 }
 
 /// All meshes are held at once; the counter `held_MB` tells the memory that they take.
 void parts_of_a_mesh(benchmark::State& state) {
-  const Light light = square_lamp();
-  const std::vector<ConvexBlocker> parts = triangles(static_cast<std::uint32_t>(state.range(0)));
+  const Light light = report::lamp_above_sphere();
+  const std::vector<ConvexBlocker> parts = report::sphere_facets(static_cast<std::uint32_t>(state.range(0)));
   double held = 0;
   for (auto _ : state) {
     const double before = megabytes_in_use();

@@ -32,7 +32,7 @@ class ReportCommand : public Program {
 json counts_and_errors(json document) {
   document.erase("machine");
   document.erase("equivalent_point_lights");
-  for (const char* list : {"hard_cases", "speed_vs_error"}) {
+  for (const char* list : {"hard_cases", "speed_vs_error", "timings"}) {
     for (json& entry : document.at(list)) {
       for (const char* key : {"ns", "ns_least", "ns_most", "bytes"}) entry.erase(key);
     }
@@ -47,7 +47,7 @@ void expect_hard_cases_right(const json& cases) {
   for (const json& hard : cases) {
     const std::string name = hard["name"];
     EXPECT_TRUE(names.insert(name).second) << name;
-    EXPECT_EQ(hard["points"], name == "thousand_gon_blocker" ? 20 : 200) << name;
+    EXPECT_EQ(hard["points"], 200) << name;
     EXPECT_EQ(hard["misclassified"]["gnomon"], 0) << name;
     EXPECT_EQ(hard["outside_bound"], 0) << name;
     EXPECT_TRUE(hard["irradiance_is_right"]) << name;
@@ -103,6 +103,14 @@ std::set<std::string> methods_of_task(const json& measurements, const std::strin
   return methods;
 }
 
+std::set<int> sizes_of_timing(const json& timings, const std::string& task) {
+  std::set<int> sizes;
+  for (const json& timing : timings) {
+    if (timing["task"] == task) sizes.insert(timing["size"].get<int>());
+  }
+  return sizes;
+}
+
 TEST_F(ReportCommand, QuickReportClaimsNothingWrongAndAgreesWithTheNext) {
   const json document = quick_report("first");
   EXPECT_EQ(document["schema"], "gnomon/report/1");
@@ -119,6 +127,8 @@ TEST_F(ReportCommand, QuickReportClaimsNothingWrongAndAgreesWithTheNext) {
   EXPECT_THAT(methods_of_task(measurements, "occlusion_volume"), IsSupersetOf({"gnomon", "convex_hull_3"}));
   EXPECT_THAT(methods_of_task(measurements, "umbra_volume"), IsSupersetOf({"gnomon", "nef_3"}));
   EXPECT_THAT(methods_of_task(measurements, "receiver_areas"), IsSupersetOf({"exact_mesh", "gnomon_raster"}));
+  EXPECT_THAT(sizes_of_timing(document["timings"], "exact_planes"), IsSupersetOf({3, 4, 16, 256, 1024}));
+  EXPECT_THAT(sizes_of_timing(document["timings"], "mesh_parts"), IsSupersetOf({5000}));
   for (const json& turned : document["rotation"]) {
     EXPECT_EQ(turned["wrong_gnomon"], 0);
     EXPECT_GT(turned["max"], 0.0);
@@ -136,6 +146,8 @@ TEST_F(ReportCommand, QuickReportClaimsNothingWrongAndAgreesWithTheNext) {
               testing::UnorderedElementsAre("equivalents.csv", "hard_cases.csv", "pictures", "report.json", "report.md",
                                             "rotation.csv", "speed_against_error.csv"));
   EXPECT_THAT(page, HasSubstr("`gnomon report --out DIR --quick`"));
+  EXPECT_THAT(page, HasSubstr("Not measured in this run"));
+  EXPECT_THAT(page, HasSubstr("3,073 receivers of stacks of boxes under a distant hexagon"));
 }
 
 TEST_F(ReportCommand, RefusesToRunWithoutAFolder) {

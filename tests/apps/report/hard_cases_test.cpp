@@ -6,7 +6,9 @@
 #include <set>
 #include <string>
 
+#include "apps/report/divided_blockers.h"
 #include "apps/report/pareto.h"
+#include "apps/report/shapes.h"
 #include "geometry/visibility/visibility.h"
 
 namespace gnomon::report {
@@ -50,6 +52,26 @@ TEST(HardCases, HaveDifferentNamesAndPointsThatAreTheSameEachTime) {
     EXPECT_EQ(points, points_around(hard, 20));
   }
   EXPECT_GE(names.size(), 40u);
+}
+
+std::size_t corners(const ConvexBlocker& blocker) {
+  return std::visit([](const auto& shape) { return shape.corners().size(); }, blocker);
+}
+
+TEST(DividedBlockers, HideWhatTheWholeOnesHide) {
+  HardCase hard{"hundred_gon", "", square_light(1, 4), {}, {2, 0, 0}};
+  hard.blockers = {ConvexPolygon::from_points(flat_round(100, 1, 2)), diamond(2, 1)};
+  const std::vector<ConvexBlocker> pieces = divided(hard.blockers);
+  EXPECT_EQ(pieces.size(), 7u);  // five corners, five pieces cut off, and the square, which stays
+  for (const ConvexBlocker& piece : pieces) EXPECT_LE(corners(piece), 21u);
+  EXPECT_EQ(corners(pieces.back()), 4u);
+  const double half_an_ulp_of_one = 0x1p-53;
+  for (const Point3& p : points_around(hard, 40)) {
+    const Visibility whole = exact_visibility(hard.light, {hard.blockers, {}}, p);
+    const Visibility divided = exact_visibility(hard.light, {pieces, {}}, p);
+    EXPECT_EQ(divided.region, whole.region);
+    EXPECT_NEAR(divided.fraction, whole.fraction, half_an_ulp_of_one);
+  }
 }
 
 Measurement measurement(const std::string& method, std::size_t samples, double seconds, double rms) {

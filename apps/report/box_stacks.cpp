@@ -1,10 +1,10 @@
-#include "tests/benchmarks/box_stacks.h"
+#include "apps/report/box_stacks.h"
 
 #include <cmath>
 #include <numbers>
 #include <utility>
 
-namespace gnomon::benchmarks {
+namespace gnomon::report {
 namespace {
 
 constexpr double pitch = 4;
@@ -36,7 +36,7 @@ void add_box(BoxStacks& stacks, double x, double y, double z, double turn, doubl
   }
   stacks.receivers.push_back(ConvexPolygon::from_points(top));
   stacks.receivers.push_back(ConvexPolygon::from_points(bottom));
-  stacks.boxes.push_back(ConvexSolid::hull_of(points));
+  stacks.boxes.emplace_back(ConvexSolid::hull_of(points));
 }
 
 }  // namespace
@@ -89,4 +89,4 @@ Light square_above(std::size_t k) {
                    false};
 }
 
-}  // namespace gnomon::benchmarks
+}  // namespace gnomon::report

@@ -1,9 +1,9 @@
-#include "tests/benchmarks/plain_walk.h"
+#include "apps/report/plain_walk.h"
 
 #include <algorithm>
 #include <span>
 
-namespace gnomon::benchmarks {
+namespace gnomon::report {
 namespace {
 
 double determinant(const Point3& p, const Point3& q, const Point3& r, const Point3& s) {
@@ -50,9 +50,10 @@ void walk(const Walk& light, const Walk& blocker, double outward, OnContact cont
   };
   for (std::uint32_t k = 0; k < blocker.size(); ++k) {
     double gained = gain(*here, *there);
-    for (; gained > 0; gained = gain(*here, *there)) {
+    while (gained > 0) {
       step(j, k);
       advance();
+      gained = gain(*here, *there);
     }
     contact(k, gained == 0 ? std::min(light.vertex(j), light.vertex(ahead)) : light.vertex(j));
     if (gained == 0) advance();
@@ -92,4 +93,4 @@ ExtremalPlanes plain_extremal_planes(const AreaLight& light, const ConvexPolygon
   return planes;
 }
 
-}  // namespace gnomon::benchmarks
+}  // namespace gnomon::report

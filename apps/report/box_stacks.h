@@ -7,7 +7,7 @@
 #include "geometry/spatial/convex_polygon.h"
 #include "geometry/spatial/light.h"
 
-namespace gnomon::benchmarks {
+namespace gnomon::report {
 
 /// k x k stacks of 8 boxes on a floor. Each box is turned about the vertical axis by a multiple of 90 degrees plus a
 /// twist; its faces are exactly planar. Every face of a box is a receiver, and so is the floor, the first of them.
@@ -25,4 +25,4 @@ Light distant_hexagon(std::size_t k);
 /// A square light as wide as two stacks, three stack heights above the floor.
 Light square_above(std::size_t k);
 
-}  // namespace gnomon::benchmarks
+}  // namespace gnomon::report
