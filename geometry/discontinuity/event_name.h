@@ -14,7 +14,7 @@ struct EventElement {
   std::uint32_t element = 0;  ///< index of the blocker or receiver; 0 for the light
   std::uint32_t index = 0;    ///< of a vertex or an edge of a polygon; of a solid's point, edge or facet
 
-  friend auto operator<=>(const EventElement&, const EventElement&) = default;
+  friend auto operator<=>(const EventElement&, const EventElement&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
 /// What happens along a discontinuity.
@@ -56,7 +56,7 @@ struct EventName {
   std::uint8_t order = 2;
   Extremal extremal = Extremal::none;
 
-  friend auto operator<=>(const EventName&, const EventName&) = default;
+  friend auto operator<=>(const EventName&, const EventName&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
 }  // namespace gnomon

@@ -21,7 +21,7 @@ using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 
 /// Knows copies of one point as equal without a look at their coordinates, which would have to be exact.
 struct SweepKernel : Kernel {
-  struct Compare_xy_2 : Kernel::Compare_xy_2 {
+  struct Compare_xy_2 : Kernel::Compare_xy_2 {  // NOLINT(readability-identifier-naming): CGAL asks for it
     CGAL::Comparison_result operator()(const Point_2& p, const Point_2& q) const {
       return CGAL::identical(p, q) ? CGAL::EQUAL : Kernel::Compare_xy_2::operator()(p, q);
     }
