@@ -7,6 +7,7 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
@@ -109,8 +110,11 @@ class RoughShot {
     if (s > 0) least_ = std::min(least_, s);
   }
 
-  FlatEnclosure half_way() const {
-    return {Interval(x_ + least_ / 2 * along_x_), Interval(y_ + least_ / 2 * along_y_)};
+  /// Nothing where rounding lets the ray pass between edges.
+  std::optional<FlatEnclosure> half_way() const {
+    const double x = x_ + least_ / 2 * along_x_, y = y_ + least_ / 2 * along_y_;
+    if (!std::isfinite(x) || !std::isfinite(y)) return std::nullopt;
+    return FlatEnclosure{Interval(x), Interval(y)};
   }
 
  private:
@@ -221,11 +225,12 @@ std::optional<FlatEnclosure> ReceiverArrangement::rounded_inside(std::uint32_t f
       if (use != own) shot.meet(ends(use).first, ends(use).second);
     }
   }
-  const FlatEnclosure point = shot.half_way();
+  const std::optional<FlatEnclosure> point = shot.half_way();
+  if (!point) return std::nullopt;
   int sum = 0;
   for (const auto& cycle : faces_[face].cycles) {
     for (const EdgeUse use : cycle) {
-      const auto part = winding(point, ends(use).first, ends(use).second);
+      const auto part = winding(*point, ends(use).first, ends(use).second);
       if (!part) return std::nullopt;
       sum += *part;
     }
