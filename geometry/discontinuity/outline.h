@@ -2,6 +2,7 @@
 
 /// Edges that may bound what is seen of the light. Private to this folder.
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -39,9 +40,10 @@ struct Place {
 struct Outline {
   Place a;
   Place b;
-  bool is_of_light = false;     ///< an edge of the light's own outline
-  std::vector<ShapeId> shapes;  ///< whose edge it is
-  std::vector<Place> hidden;    ///< a point of each face at the edge; of an area light a point beyond its edge
+  std::array<PointId, 2> ends{};  ///< a and b in the scene
+  bool is_of_light = false;       ///< an edge of the light's own outline
+  std::vector<ShapeId> shapes;    ///< whose edge it is
+  std::vector<Place> hidden;      ///< a point of each face at the edge; of an area light a point beyond its edge
 };
 
 /// Side of the plane through p and an edge on which a point lies, by rationals.

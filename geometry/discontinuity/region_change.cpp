@@ -38,10 +38,32 @@ enum class Crossing : std::int8_t { never = 2, unknown = 0, rising = 1, falling 
 /// The side of an edge that is hidden, as seen from the points of a piece.
 enum class Hidden : std::int8_t { none = 2, unknown = 0, positive = 1, negative = -1 };
 
+/// Edges, and their ends numbered, each point once.
+struct NumberedEdges {
+  explicit NumberedEdges(std::vector<Outline> all) : edges(std::move(all)) {
+    for (const Outline& e : edges) points.insert(points.end(), e.ends.begin(), e.ends.end());
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    const auto number = [&](PointId p) {
+      return static_cast<std::uint32_t>(std::lower_bound(points.begin(), points.end(), p) - points.begin());
+    };
+    for (const Outline& e : edges) ends.push_back({number(e.ends[0]), number(e.ends[1])});
+  }
+
+  std::vector<Outline> edges;
+  std::vector<PointId> points;
+  std::vector<std::array<std::uint32_t, 2>> ends;  ///< of each edge, as places in `points`
+};
+
 /// One piece and the edges that matter to it.
 class PieceTest {
  public:
-  PieceTest(const std::vector<Outline>& edges, const Piece& piece) : edges_(edges), piece_(piece) {
+  PieceTest(const NumberedEdges& numbered, const Piece& piece)
+      : numbered_(numbered),
+        edges_(numbered.edges),
+        piece_(piece),
+        known_sides_(numbered.edges.size() * numbered.points.size(), unknown_sides) {
+    const std::vector<Outline>& edges = numbered.edges;
     normals_.reserve(edges.size());
     for (const Outline& e : edges) {
       normals_.push_back(
@@ -54,10 +76,9 @@ class PieceTest {
   }
 
   Crossing crossing(std::uint32_t i, std::uint32_t j) const {
-    const Outline &p = edges_[i], &q = edges_[j];
-    const auto [a, b] = sides_of_ends(i, q);
+    const auto [a, b] = sides_of_ends(i, j);
     if ((a | b) != 3U || a == 0U || b == 0U) return Crossing::never;
-    const auto [c, d] = sides_of_ends(j, p);
+    const auto [c, d] = sides_of_ends(j, i);
     if ((c | d) != 3U || c == 0U || d == 0U) return Crossing::never;
     // One end on one side throughout tells on which side the other is wherever they cross.
     if (b == 2U || a == 1U) return Crossing::rising;
@@ -103,10 +124,8 @@ class PieceTest {
       if (!edges_[e].is_of_light || edges_[e].hidden.empty()) break;
       const unsigned beyond = sides_of(e, edges_[e].hidden.front());
       if (beyond == 3U || beyond == 0U) continue;
-      if ((sides_of(e, edges_[i].a) | beyond) == beyond && (sides_of(e, edges_[i].b) | beyond) == beyond &&
-          !edges_[i].is_of_light) {
-        return true;
-      }
+      const auto [a, b] = sides_of_ends(e, i);
+      if ((a | b | beyond) == beyond && !edges_[i].is_of_light) return true;
     }
     return false;
   }
@@ -131,8 +150,15 @@ class PieceTest {
     return sides;
   }
 
-  std::pair<unsigned, unsigned> sides_of_ends(std::uint32_t edge, const Outline& other) const {
-    return {sides_of(edge, other.a), sides_of(edge, other.b)};
+  /// Of the ends of another edge. Many edges share an end, so what was found is kept.
+  std::pair<unsigned, unsigned> sides_of_ends(std::uint32_t edge, std::uint32_t other) const {
+    const auto sides = [&](std::uint32_t point, const Place& x) -> unsigned {
+      std::uint8_t& known = known_sides_[edge * numbered_.points.size() + point];
+      if (known == unknown_sides) known = static_cast<std::uint8_t>(sides_of(edge, x));
+      return known;
+    };
+    const auto& [a, b] = numbered_.ends[other];
+    return {sides(a, edges_[other].a), sides(b, edges_[other].b)};
   }
 
   struct Value {
@@ -174,8 +200,12 @@ class PieceTest {
     return exact.sign();
   }
 
+  static constexpr std::uint8_t unknown_sides = 4;
+
+  const NumberedEdges& numbered_;
   const std::vector<Outline>& edges_;
   const Piece& piece_;
+  mutable std::vector<std::uint8_t> known_sides_;  ///< edge by edge, of all ends
   std::array<Place, 3> middles_;
   std::vector<std::array<NearVector, 3>> normals_;  ///< of each edge's plane through each corner
 };
@@ -183,7 +213,7 @@ class PieceTest {
 /// Clears pieces of triples until none is left or the budget is spent.
 class ChangeSearch {
  public:
-  explicit ChangeSearch(std::vector<Outline> edges) : edges_(std::move(edges)) {}
+  explicit ChangeSearch(std::vector<Outline> edges) : numbered_(std::move(edges)) {}
 
   /// Returns: false if the piece is clear.
   bool may_change(Piece piece) {
@@ -204,7 +234,7 @@ class ChangeSearch {
  private:
   /// All triples that cross pairwise.
   std::vector<Triple> crossing_triples(const Piece& piece) const {
-    const PieceTest test(edges_, piece);
+    const PieceTest test(numbered_, piece);
     std::vector<std::uint32_t> near;
     for (std::uint32_t i = 0; i < edges_.size(); ++i) {
       if (test.hidden(i) != Hidden::none && !test.is_beside_light(i)) near.push_back(i);
@@ -229,7 +259,7 @@ class ChangeSearch {
   }
 
   void clear(Piece& piece) {
-    const PieceTest test(edges_, piece);
+    const PieceTest test(numbered_, piece);
     std::vector<std::optional<Crossing>> crossings(edges_.size() * edges_.size());
     std::vector<std::optional<Hidden>> hidden(edges_.size());
     const auto crossing = [&](std::uint32_t i, std::uint32_t j) {
@@ -271,7 +301,8 @@ class ChangeSearch {
     pieces.push_back({{m, q, r}, {pq, qr, false}, piece.halvings + 1, piece.triples});
   }
 
-  std::vector<Outline> edges_;
+  NumberedEdges numbered_;
+  const std::vector<Outline>& edges_ = numbered_.edges;
   int pieces_ = 0;
 };
 
