@@ -6,6 +6,7 @@
 
 #ifdef __GLIBC__
 #include <malloc.h>
+#include <unistd.h>
 #endif
 
 namespace gnomon {
@@ -18,6 +19,16 @@ inline void keep_freed_memory() {
   constexpr int most_kept = 128 << 20;
   mallopt(M_MMAP_THRESHOLD, largest_block);
   mallopt(M_TRIM_THRESHOLD, most_kept);
+#endif
+}
+
+/// Lets each thread keep many freed blocks of a size to itself: exact numbers come and go by the million, and a tenth
+/// of the time is spared. The C library takes this setting only as a program starts, so the program starts again; it
+/// goes on as it is where that fails, or where the environment has settings of its own.
+inline void start_with_large_thread_caches([[maybe_unused]] char** argv) {
+#ifdef __GLIBC__
+  if (std::getenv("GLIBC_TUNABLES") != nullptr) return;
+  if (setenv("GLIBC_TUNABLES", "glibc.malloc.tcache_count=2000", 0) == 0) execv("/proc/self/exe", argv);
 #endif
 }
 

@@ -105,6 +105,8 @@ ExitCode misuse(const Arguments words, std::string_view message) {
 
 int main(int argc, char** argv) {
   using namespace gnomon;
+  const std::string_view command = argc > 1 ? argv[1] : "";
+  if (command == "receivers" || command == "theorems") start_with_large_thread_caches(argv);
   keep_freed_memory();
   prepare_streams();
   ExitCode code = ExitCode::done;
