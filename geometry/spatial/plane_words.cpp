@@ -47,21 +47,18 @@ Number height(const PlaneWords& plane, const std::array<Halves, 3>& x) {
   return {exact_sum(sum.high, sum.low), error + size * rounding + underflow};
 }
 
-PlaneWords axis_plane(const PlaneDefinition& plane) {
-  PlaneWords result;
+void set_axis_plane(const PlaneDefinition& plane, PlaneWords& result) {
   result.normal[plane.axis] = 1;
   result.offset.high = -plane.bound;
-  return result;
 }
 
-PlaneWords point_plane(const PlaneDefinition& plane) {
+void set_point_plane(const PlaneDefinition& plane, PlaneWords& result) {
   const auto& [p, q, r] = plane.points;
   const bool along = plane.kind == PlaneDefinition::Kind::points_direction;
   const auto second = [&](double to, double from) { return along ? DoubleWord{to, 0} : exact_difference(to, from); };
   const std::array<DoubleWord, 3> a = {exact_difference(q.x, p.x), exact_difference(q.y, p.y),
                                        exact_difference(q.z, p.z)};
   const std::array<DoubleWord, 3> b = {second(r.x, p.x), second(r.y, p.y), second(r.z, p.z)};
-  PlaneWords result;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
     const std::size_t k = (i + 2) % 3;
@@ -73,7 +70,6 @@ PlaneWords point_plane(const PlaneDefinition& plane) {
   const auto [word, error] = height(result, {p.x, p.y, p.z});
   result.offset = {-word.high, -word.low};
   result.offset_error = error;
-  return result;
 }
 
 Triple cross(const PlaneWords& a, const PlaneWords& b) {
@@ -94,18 +90,16 @@ double normal_defect(const PlaneWords& plane) {
 
 }  // namespace
 
-PlaneWords plane_words(const PlaneDefinition& plane) {
+PlaneWords::PlaneWords(const PlaneDefinition& plane) {
   using enum PlaneDefinition::Kind;
-  PlaneWords words;
   if (plane.kind == PlaneDefinition::Kind::axis) {
-    words = axis_plane(plane);
+    set_axis_plane(plane, *this);
   } else if (plane.kind == points || plane.kind == points_direction) {
-    words = point_plane(plane);
+    set_point_plane(plane, *this);
   } else {
-    words.offset_error = HUGE_VAL;
+    offset_error = HUGE_VAL;
   }
-  words.normal_defect = normal_defect(words);
-  return words;
+  normal_defect = gnomon::normal_defect(*this);
 }
 
 CommonPoint::CommonPoint(const PlaneWords& a, const PlaneWords& b, const PlaneWords& c) : planes_{&a, &b, &c} {

@@ -10,6 +10,9 @@ namespace gnomon {
 
 /// The coefficients of a plane as double words, each with a bound of its error: normal x + offset = 0.
 struct PlaneWords {
+  /// Bounds: see the source. Of planes that are not given by points or an axis the bound is infinite.
+  explicit PlaneWords(const PlaneDefinition& plane);
+
   std::array<Halves, 3> normal;
   std::array<double, 3> normal_low{};
   std::array<double, 3> normal_error{};
@@ -17,9 +20,6 @@ struct PlaneWords {
   double offset_error = 0;
   double normal_defect = 0;  ///< how far rounding and low words take the product of the normal and a vector of ones
 };
-
-/// Bounds: see the source. Of planes that are not given by points or an axis the bound is infinite.
-PlaneWords plane_words(const PlaneDefinition& plane);
 
 /// Finds the point that three planes have in common.
 ///

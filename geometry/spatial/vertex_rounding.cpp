@@ -20,7 +20,7 @@ std::array<Rational, 3> exact_coordinates(const ExactSpace& space, VertexId vert
 }
 
 const PlaneWords& VertexRounding::words(PlaneId plane) {
-  if (!planes_[plane]) planes_[plane] = plane_words(space_.definition(plane));
+  if (!planes_[plane]) planes_[plane].emplace(space_.definition(plane));
   return *planes_[plane];
 }
 
