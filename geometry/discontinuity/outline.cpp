@@ -61,4 +61,14 @@ std::vector<Outline> outlines(const EventScene& scene, std::span<const ShapeId> 
   return found;
 }
 
+NumberedOutlines::NumberedOutlines(std::vector<Outline> all) : edges(std::move(all)) {
+  for (const Outline& e : edges) points.insert(points.end(), e.ends.begin(), e.ends.end());
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  const auto number = [&](PointId p) {
+    return static_cast<std::uint32_t>(std::lower_bound(points.begin(), points.end(), p) - points.begin());
+  };
+  for (const Outline& e : edges) ends.push_back({number(e.ends[0]), number(e.ends[1])});
+}
+
 }  // namespace gnomon::event

@@ -55,4 +55,13 @@ bool belong_together(const Outline& p, const Outline& q);
 /// The edges of the light, its own ones first, and those of some shapes.
 std::vector<Outline> outlines(const EventScene& scene, std::span<const ShapeId> shapes);
 
+/// Edges, and their ends numbered, each point once.
+struct NumberedOutlines {
+  explicit NumberedOutlines(std::vector<Outline> all);
+
+  std::vector<Outline> edges;
+  std::vector<PointId> points;                     ///< all ends, ascending
+  std::vector<std::array<std::uint32_t, 2>> ends;  ///< of each edge, as places in `points`
+};
+
 }  // namespace gnomon::event

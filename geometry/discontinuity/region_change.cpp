@@ -38,27 +38,10 @@ enum class Crossing : std::int8_t { never = 2, unknown = 0, rising = 1, falling 
 /// The side of an edge that is hidden, as seen from the points of a piece.
 enum class Hidden : std::int8_t { none = 2, unknown = 0, positive = 1, negative = -1 };
 
-/// Edges, and their ends numbered, each point once.
-struct NumberedEdges {
-  explicit NumberedEdges(std::vector<Outline> all) : edges(std::move(all)) {
-    for (const Outline& e : edges) points.insert(points.end(), e.ends.begin(), e.ends.end());
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
-    const auto number = [&](PointId p) {
-      return static_cast<std::uint32_t>(std::lower_bound(points.begin(), points.end(), p) - points.begin());
-    };
-    for (const Outline& e : edges) ends.push_back({number(e.ends[0]), number(e.ends[1])});
-  }
-
-  std::vector<Outline> edges;
-  std::vector<PointId> points;
-  std::vector<std::array<std::uint32_t, 2>> ends;  ///< of each edge, as places in `points`
-};
-
 /// One piece and the edges that matter to it.
 class PieceTest {
  public:
-  PieceTest(const NumberedEdges& numbered, const Piece& piece)
+  PieceTest(const NumberedOutlines& numbered, const Piece& piece)
       : numbered_(numbered),
         edges_(numbered.edges),
         piece_(piece),
@@ -202,7 +185,7 @@ class PieceTest {
 
   static constexpr std::uint8_t unknown_sides = 4;
 
-  const NumberedEdges& numbered_;
+  const NumberedOutlines& numbered_;
   const std::vector<Outline>& edges_;
   const Piece& piece_;
   mutable std::vector<std::uint8_t> known_sides_;  ///< edge by edge, of all ends
@@ -213,7 +196,7 @@ class PieceTest {
 /// Clears pieces of triples until none is left or the budget is spent.
 class ChangeSearch {
  public:
-  explicit ChangeSearch(std::vector<Outline> edges) : numbered_(std::move(edges)) {}
+  explicit ChangeSearch(std::vector<Outline> edges) : outlines_(std::move(edges)) {}
 
   /// Returns: false if the piece is clear.
   bool may_change(Piece piece) {
@@ -234,17 +217,18 @@ class ChangeSearch {
  private:
   /// All triples that cross pairwise.
   std::vector<Triple> crossing_triples(const Piece& piece) const {
-    const PieceTest test(numbered_, piece);
+    const PieceTest test(outlines_, piece);
     std::vector<std::uint32_t> near;
-    for (std::uint32_t i = 0; i < edges_.size(); ++i) {
+    for (std::uint32_t i = 0; i < outlines_.edges.size(); ++i) {
       if (test.hidden(i) != Hidden::none && !test.is_beside_light(i)) near.push_back(i);
     }
     const auto n = static_cast<std::uint32_t>(near.size());
-    std::vector<std::vector<std::uint32_t>> crossed(edges_.size());
+    std::vector<std::vector<std::uint32_t>> crossed(outlines_.edges.size());
     for (std::uint32_t x = 0; x < n; ++x) {
       for (std::uint32_t y = x + 1; y < n; ++y) {
         const std::uint32_t i = near[x], j = near[y];
-        if (!belong_together(edges_[i], edges_[j]) && test.crossing(i, j) != Crossing::never) crossed[i].push_back(j);
+        if (!belong_together(outlines_.edges[i], outlines_.edges[j]) && test.crossing(i, j) != Crossing::never)
+          crossed[i].push_back(j);
       }
     }
     std::vector<Triple> triples;
@@ -259,11 +243,11 @@ class ChangeSearch {
   }
 
   void clear(Piece& piece) {
-    const PieceTest test(numbered_, piece);
-    std::vector<std::optional<Crossing>> crossings(edges_.size() * edges_.size());
-    std::vector<std::optional<Hidden>> hidden(edges_.size());
+    const PieceTest test(outlines_, piece);
+    std::vector<std::optional<Crossing>> crossings(outlines_.edges.size() * outlines_.edges.size());
+    std::vector<std::optional<Hidden>> hidden(outlines_.edges.size());
     const auto crossing = [&](std::uint32_t i, std::uint32_t j) {
-      auto& known = crossings[i * edges_.size() + j];
+      auto& known = crossings[i * outlines_.edges.size() + j];
       if (!known) known = test.crossing(i, j);
       return *known;
     };
@@ -301,8 +285,7 @@ class ChangeSearch {
     pieces.push_back({{m, q, r}, {pq, qr, false}, piece.halvings + 1, piece.triples});
   }
 
-  NumberedEdges numbered_;
-  const std::vector<Outline>& edges_ = numbered_.edges;
+  NumberedOutlines outlines_;
   int pieces_ = 0;
 };
 

@@ -46,9 +46,14 @@ class LayeredScene {
     light_z_ = layers + whole(1, 2);
   }
   const Blockers& blockers() const { return blockers_; }
+  /// A rectangle, a triangle that shines both ways, or a segment.
   Light light() {
-    const int x = whole(-2, 1), y = whole(-2, 1);
-    return lamp(rectangle(x, y, x + whole(1, 2), y + whole(1, 2), light_z_, Facing::down));
+    const double x = whole(-2, 1), y = whole(-2, 1), z = light_z_;
+    const double far_x = x + whole(1, 2), far_y = y + whole(1, 2);
+    const int kind = whole(0, 3);
+    if (kind == 0) return LinearLight{{x, y, z}, {far_x, y + whole(-1, 1), z - whole(0, 1) / 2.0}};
+    if (kind == 1) return AreaLight{ConvexPolygon::from_points({{x, y, z}, {x, far_y, z}, {far_x, y, z + 0.5}}), true};
+    return lamp(rectangle(x, y, far_x, far_y, z, Facing::down));
   }
 
  private:
