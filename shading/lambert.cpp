@@ -20,11 +20,19 @@ using shading::vector;
 
 constexpr double unit = 0x1p-53;
 
-/// A direction and how far it may be off, in parts of its length.
-struct Direction {
-  Vector vector;
-  double error = 0;
-};
+/// Of a squared length: it and its products with others are far from what overflows or loses digits.
+bool is_tame(double squared) {
+  return squared > 1e-60 && squared < 1e60;
+}
+
+/// The direction with a largest coordinate from 1 to 2, exactly but for what underflows beside that; as it is if it has
+/// no length or none that is finite.
+SightDirection of_size_one(const SightDirection& d) {
+  const double size = std::fmax(std::fmax(std::fabs(d.x), std::fabs(d.y)), std::fabs(d.z));
+  if (!(size > 0 && size < HUGE_VAL)) return d;
+  const int less = -std::ilogb(size);
+  return {std::scalbn(d.x, less), std::scalbn(d.y, less), std::scalbn(d.z, less), std::scalbn(d.error, less)};
+}
 
 /// The receiver, and the direction along which what is below its horizon is moved up to it.
 struct Horizon {
@@ -39,21 +47,44 @@ struct Horizon {
 /// The light's directions have a positive product with `forward`, and so have those that are lifted: they stay in half
 /// a plane, in which angles are unique.
 Horizon horizon(const Point3& normal, const SightDirection& forward) {
-  const Vector n{normal.x, normal.y, normal.z};
-  const double scale = std::max({std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)});
-  if (!(scale > 0) || !std::isfinite(scale)) throw PreconditionError("the receiver's normal has no direction");
-  const Vector scaled{n.x / scale, n.y / scale, n.z / scale};
+  Vector n{normal.x, normal.y, normal.z};
+  if (!is_tame(dot(n, n))) n = vector(of_size_one({n.x, n.y, n.z}));
+  if (!is_tame(dot(n, n))) throw PreconditionError("the receiver's normal has no direction");
   Horizon result;
-  result.normal = (1 / length(scaled)) * scaled;
+  result.normal = (1 / length(n)) * n;
   result.lift = result.normal;
-  const Vector f = vector(forward);
-  const double product = dot(result.normal, f);
-  if (product < 0) {
-    result.lift = result.normal + (-product / dot(f, f)) * f;
+  if (dot(result.normal, vector(forward)) < 0) {
+    const Vector f = vector(of_size_one(forward));
+    result.lift = result.normal + (-dot(result.normal, f) / dot(f, f)) * f;
     result.rise = dot(result.normal, result.lift);
     result.tilt = result.rise > 0 ? length_above(result.lift) / result.rise : HUGE_VAL;
   }
   return result;
+}
+
+/// The ends of a piece: directions of tame lengths.
+struct Ends {
+  Vector a;
+  Vector b;
+  double inverse = 1;  ///< 1 over the product of their lengths
+  double error = 0;    ///< at least the sum of how far each is off, in parts of its length
+};
+
+Ends ends(const Vector& a, const Vector& b, double error) {
+  return {a, b, 1 / std::sqrt(dot(a, a) * dot(b, b)), error};
+}
+
+/// Bound. Where a length is asked for, more will do: what is off by e of its length a, and by f of b, is off by
+/// (e b + f a) / (a b).
+Ends ends(const SightDirection& start, const SightDirection& end) {
+  const Vector a = vector(start);
+  const Vector b = vector(end);
+  const double inverse = 1 / std::sqrt(dot(a, a) * dot(b, b));
+  return {a, b, inverse, 1.01 * inverse * (start.error * length_above(b) + end.error * length_above(a))};
+}
+
+double squared_length(const SightDirection& d) {
+  return dot(vector(d), vector(d));
 }
 
 /// Adds up angle times cosine, and what each may be off.
@@ -70,10 +101,11 @@ class ArcSum {
     sum_ += value;
     error_ += error + 2 * unit * std::fabs(sum_);
   }
-  void add_arc(const Vector& a, const Vector& b, const BoundaryPiece& piece, double ends_error);
-  void add_wide_arc(const Vector& a, const Vector& b, const BoundaryPiece& piece, double ends_error);
-  void add_on_horizon(const Vector& a, const Vector& b, double ends_error);
-  void add_crossing(const Vector& a, const Vector& b, const BoundaryPiece& piece, double ends_error);
+  void add(const Ends& ends, const SightDirection& normal);
+  void add_arc(const Ends& ends, const SightDirection& normal);
+  void add_wide_arc(const Ends& ends, const SightDirection& normal);
+  void add_on_horizon(const Ends& ends);
+  void add_crossing(const Ends& ends, const SightDirection& normal);
 
   const Horizon& horizon_;
   double sum_ = 0;
@@ -83,60 +115,65 @@ class ArcSum {
 /// Bound. As a function of the two unit vectors the term changes at most 1.21 times as fast as they do, up to 60
 /// degrees. Rounding: 8 u in the product of three vectors, times 1.21; 3 u in the scale, 3.5 u in x, arc_factor_error,
 /// each times at most 1.21 sin(60 degrees). Together less than 26 u.
-void ArcSum::add_arc(const Vector& a, const Vector& b, const BoundaryPiece& piece, double ends_error) {
-  const double inverse = 1 / std::sqrt(dot(a, a) * dot(b, b));
-  const double x = std::max(0.5 - 0.5 * inverse * dot(a, b), 0.0);
-  if (!(x <= 0.25)) return add_wide_arc(a, b, piece, ends_error);
-  const double sine = inverse * dot(horizon_.normal, cross(a, b));
-  add_term(sine * arc_factor(x), 1.25 * ends_error + 26 * unit);
+inline void ArcSum::add_arc(const Ends& e, const SightDirection& normal) {
+  const double x = std::max(0.5 - 0.5 * e.inverse * dot(e.a, e.b), 0.0);
+  if (!(x <= 0.25)) return add_wide_arc(e, normal);
+  const double sine = e.inverse * dot(horizon_.normal, cross(e.a, e.b));
+  add_term(sine * arc_factor(x), 1.25 * e.error + 26 * unit);
 }
 
 /// Bound. The angle is off by what its ends are and 20 u, the piece's unit normal by its own error and 8 u; the cosine
 /// is at most 1 and the angle at most pi.
-void ArcSum::add_wide_arc(const Vector& a, const Vector& b, const BoundaryPiece& piece, double ends_error) {
-  const Vector n = vector(piece.normal);
+void ArcSum::add_wide_arc(const Ends& e, const SightDirection& normal) {
+  const SightDirection scaled = of_size_one(normal);
+  const Vector n = vector(scaled);
   const double n_length = length(n);
-  const double angle = std::atan2(length(cross(a, b)), dot(a, b));
-  const double normal_error = 1.1 * piece.normal.error / n_length + 8 * unit;
-  add_term(angle * dot(horizon_.normal, n) / n_length, 1.1 * ends_error + 24 * unit + std::numbers::pi * normal_error);
+  const double angle = std::atan2(length(cross(e.a, e.b)), dot(e.a, e.b));
+  const double normal_error = 1.1 * scaled.error / n_length + 8 * unit;
+  add_term(angle * dot(horizon_.normal, n) / n_length, 1.1 * e.error + 24 * unit + std::numbers::pi * normal_error);
 }
 
 /// Bound. Lifting multiplies an error by at most 1 + tilt; what is short after it is off by more of its length.
-void ArcSum::add_on_horizon(const Vector& a, const Vector& b, double ends_error) {
-  const Vector p = a + (-horizon_.height(a) / horizon_.rise) * horizon_.lift;
-  const Vector q = b + (-horizon_.height(b) / horizon_.rise) * horizon_.lift;
+void ArcSum::add_on_horizon(const Ends& e) {
+  const Vector p = e.a + (-horizon_.height(e.a) / horizon_.rise) * horizon_.lift;
+  const Vector q = e.b + (-horizon_.height(e.b) / horizon_.rise) * horizon_.lift;
   const double angle = std::atan2(dot(horizon_.normal, cross(p, q)), dot(p, q));
-  const double shrunk = std::fmax(length_above(a) / length(p), length_above(b) / length(q));
-  const double error = (1 + horizon_.tilt) * shrunk * (1.1 * ends_error + 12 * unit) + 20 * unit;
+  const double shrunk = std::fmax(length_above(e.a) / length(p), length_above(e.b) / length(q));
+  const double error = (1 + horizon_.tilt) * shrunk * (1.1 * e.error + 12 * unit) + 20 * unit;
   // Near half a turn the sign of the angle is not certain.
   add_term(angle, std::numbers::pi - std::fabs(angle) < 4 * error ? HUGE_VAL : error);
 }
 
 /// Where exactly the piece is cut hardly matters: a cut at height h instead of 0 changes the sum by at most tilt * h.
-void ArcSum::add_crossing(const Vector& a, const Vector& b, const BoundaryPiece& piece, double ends_error) {
-  const double height_a = horizon_.height(a);
-  const double height_b = horizon_.height(b);
-  const Vector cut = std::fabs(height_b) * a + std::fabs(height_a) * b;
-  error_ += 2 * (1 + horizon_.tilt) * (ends_error + 30 * unit);
+void ArcSum::add_crossing(const Ends& e, const SightDirection& normal) {
+  const double height_a = horizon_.height(e.a);
+  const double height_b = horizon_.height(e.b);
+  const double scale = 1 / (std::fabs(height_a) + std::fabs(height_b));
+  const Vector cut = (scale * std::fabs(height_b)) * e.a + (scale * std::fabs(height_a)) * e.b;
+  error_ += 2 * (1 + horizon_.tilt) * (e.error + 30 * unit);
   if (height_a >= 0) {
-    add_arc(a, cut, piece, ends_error);
-    add_on_horizon(cut, b, ends_error);
+    add_arc(ends(e.a, cut, e.error), normal);
+    add_on_horizon(ends(cut, e.b, e.error));
   } else {
-    add_on_horizon(a, cut, ends_error);
-    add_arc(cut, b, piece, ends_error);
+    add_on_horizon(ends(e.a, cut, e.error));
+    add_arc(ends(cut, e.b, e.error), normal);
   }
 }
 
+inline void ArcSum::add(const Ends& e, const SightDirection& normal) {
+  const bool a_above = horizon_.height(e.a) >= 0;
+  const bool b_above = horizon_.height(e.b) >= 0;
+  if (!(e.error < 0.01)) error_ = HUGE_VAL;
+  if (a_above && b_above) return add_arc(e, normal);
+  if (a_above || b_above) return add_crossing(e, normal);
+  add_on_horizon(e);
+}
+
 void ArcSum::add(const BoundaryPiece& piece) {
-  const Vector a = vector(piece.start);
-  const Vector b = vector(piece.end);
-  const double ends_error = 1.01 * (piece.start.error / length(a) + piece.end.error / length(b));
-  const bool a_above = horizon_.height(a) >= 0;
-  const bool b_above = horizon_.height(b) >= 0;
-  if (!(ends_error < 0.01)) error_ = HUGE_VAL;
-  if (a_above && b_above) return add_arc(a, b, piece, ends_error);
-  if (a_above || b_above) return add_crossing(a, b, piece, ends_error);
-  add_on_horizon(a, b, ends_error);
+  if (is_tame(squared_length(piece.start)) && is_tame(squared_length(piece.end))) {
+    return add(ends(piece.start, piece.end), piece.normal);
+  }
+  add(ends(of_size_one(piece.start), of_size_one(piece.end)), piece.normal);
 }
 
 bool certainly_below(const Horizon& horizon, const SightDirection& d) {
