@@ -15,14 +15,22 @@ using shading::cross;
 using shading::dot;
 using shading::length;
 using shading::length_above;
+using shading::Pair;
+using shading::square_root;
+using shading::twice;
 using shading::Vector;
 using shading::vector;
+using shading::VectorPair;
+using shading::vectors;
 
 constexpr double unit = 0x1p-53;
 
 /// Of a squared length: it and its products with others are far from what overflows or loses digits.
+constexpr double least_tame = 1e-60;
+constexpr double most_tame = 1e60;
+
 bool is_tame(double squared) {
-  return squared > 1e-60 && squared < 1e60;
+  return squared > least_tame && squared < most_tame;
 }
 
 /// The direction with a largest coordinate from 1 to 2, exactly but for what underflows beside that; as it is if it has
@@ -92,7 +100,7 @@ class ArcSum {
  public:
   explicit ArcSum(const Horizon& horizon) : horizon_(horizon) {}
 
-  void add(const BoundaryPiece& piece);
+  void add(std::span<const BoundaryPiece> pieces);
   double value() const { return sum_; }
   double error() const { return error_; }
 
@@ -101,6 +109,8 @@ class ArcSum {
     sum_ += value;
     error_ += error + 2 * unit * std::fabs(sum_);
   }
+  bool add_two(const BoundaryPiece& p, const BoundaryPiece& q);
+  void add(const BoundaryPiece& piece);
   void add(const Ends& ends, const SightDirection& normal);
   void add_arc(const Ends& ends, const SightDirection& normal);
   void add_wide_arc(const Ends& ends, const SightDirection& normal);
@@ -176,6 +186,36 @@ void ArcSum::add(const BoundaryPiece& piece) {
   add(ends(of_size_one(piece.start), of_size_one(piece.end)), piece.normal);
 }
 
+/// What add_arc() does, for two pieces at once; false if one of them is not of the common kind.
+bool ArcSum::add_two(const BoundaryPiece& p, const BoundaryPiece& q) {
+  const VectorPair a = vectors(p.start, q.start);
+  const VectorPair b = vectors(p.end, q.end);
+  const VectorPair n = twice(horizon_.normal);
+  const Pair aa = dot(a, a);
+  const Pair bb = dot(b, b);
+  const Pair inverse = 1 / square_root(aa * bb);
+  const Pair ends_error =
+      1.01 * inverse *
+      (Pair{p.start.error, q.start.error} * length_above(b) + Pair{p.end.error, q.end.error} * length_above(a));
+  const Pair x = 0.5 - 0.5 * inverse * dot(a, b);
+  const auto common = (aa > least_tame) & (aa < most_tame) & (bb > least_tame) & (bb < most_tame) & (dot(n, a) >= 0) &
+                      (dot(n, b) >= 0) & (x <= 0.25) & (ends_error < 0.01);
+  if ((common[0] & common[1]) == 0) return false;
+  const Pair term = inverse * dot(n, cross(a, b)) * arc_factor(x);
+  const Pair error = 1.25 * ends_error + 26 * unit;
+  add_term(term[0], error[0]);
+  add_term(term[1], error[1]);
+  return true;
+}
+
+void ArcSum::add(std::span<const BoundaryPiece> pieces) {
+  while (!pieces.empty()) {
+    const std::size_t count = pieces.size() > 1 && add_two(pieces[0], pieces[1]) ? 2 : 1;
+    if (count == 1) add(pieces.front());
+    pieces = pieces.subspan(count);
+  }
+}
+
 bool certainly_below(const Horizon& horizon, const SightDirection& d) {
   const Vector v = vector(d);
   return horizon.height(v) < -(1.01 * d.error + 12 * unit * length_above(v));
@@ -190,7 +230,7 @@ Irradiance lambert_irradiance(const LightSeen& seen, const Point3& normal, doubl
   };
   if (std::all_of(seen.boundary.begin(), seen.boundary.end(), hidden)) return {0, 0};
   ArcSum sum(above);
-  for (const BoundaryPiece& piece : seen.boundary) sum.add(piece);
+  sum.add(seen.boundary);
   const double most = std::numbers::pi * radiance;
   const double value = radiance / 2 * sum.value();
   const double clamped = value >= 0 ? std::fmin(value, most) : 0;

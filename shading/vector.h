@@ -6,17 +6,31 @@
 
 #include "geometry/point.h"
 #include "geometry/visibility/fast_visibility.h"
+#include "shading/pair.h"
 
 namespace gnomon::shading {
 
-struct Vector {
-  double x = 0;
-  double y = 0;
-  double z = 0;
+/// Of doubles, or of several at once.
+template <class Number>
+struct VectorOf {
+  Number x{};
+  Number y{};
+  Number z{};
 };
+
+using Vector = VectorOf<double>;
+using VectorPair = VectorOf<Pair>;
 
 inline Vector vector(const SightDirection& d) {
   return {d.x, d.y, d.z};
+}
+
+inline VectorPair vectors(const SightDirection& a, const SightDirection& b) {
+  return {Pair{a.x, b.x}, Pair{a.y, b.y}, Pair{a.z, b.z}};
+}
+
+inline VectorPair twice(const Vector& a) {
+  return {Pair{a.x, a.x}, Pair{a.y, a.y}, Pair{a.z, a.z}};
 }
 
 inline Vector operator+(const Vector& a, const Vector& b) {
@@ -27,11 +41,13 @@ inline Vector operator*(double s, const Vector& a) {
   return {s * a.x, s * a.y, s * a.z};
 }
 
-inline double dot(const Vector& a, const Vector& b) {
+template <class Number>
+Number dot(const VectorOf<Number>& a, const VectorOf<Number>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-inline Vector cross(const Vector& a, const Vector& b) {
+template <class Number>
+VectorOf<Number> cross(const VectorOf<Number>& a, const VectorOf<Number>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
@@ -40,8 +56,9 @@ inline double length(const Vector& a) {
 }
 
 /// At least the length, and less than twice it.
-inline double length_above(const Vector& a) {
-  return std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z);
+template <class Number>
+Number length_above(const VectorOf<Number>& a) {
+  return magnitude(a.x) + magnitude(a.y) + magnitude(a.z);
 }
 
 }  // namespace gnomon::shading

@@ -20,7 +20,7 @@ class BoxTree;
 struct LightPyramid {
   Point3 apex;
   std::span<const sight::Plane> sides;  ///< positive side inside
-  sight::LightPlane base;
+  const sight::LightPlane& base;
 };
 
 /// The segment between two points, or the ray from the first in a direction.

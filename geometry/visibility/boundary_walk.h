@@ -9,13 +9,15 @@
 
 namespace gnomon::sight {
 
-/// A point of the edge that is walked: one of its ends, or where it crosses a plane.
+/// A point of the edge that is walked: one of its ends, or where it crosses a plane. Planes and rays by their indices
+/// in the outlines.
 struct Station {
-  enum class Kind { start, inner, end };
+  static constexpr std::uint32_t none = ~std::uint32_t{0};
+  enum class Kind : std::uint8_t { start, inner, end };
   Kind kind = Kind::start;
-  const Plane* plane = nullptr;  ///< inner: the plane crossed
-  bool rising = false;           ///< inner: the walk comes to the plane's positive side
-  const Ray* vertex = nullptr;   ///< inner: the input point that lies there, if there is one
+  bool rising = false;          ///< inner: the walk comes to the plane's positive side
+  std::uint32_t plane = none;   ///< inner: the plane crossed
+  std::uint32_t vertex = none;  ///< inner: the ray through an input point that lies there, if there is one
 };
 
 /// A part of the edge that is walked, from one station to a later one.
@@ -24,20 +26,27 @@ struct Stretch {
   Station to;
 };
 
-/// The edge that is walked: in `plane`, from ray `start` to ray `end`.
+/// The edge that is walked: an outline's k-th, in its plane k from its ray k to the next. By indices: of the outline,
+/// and of the plane and the two rays among those of all outlines.
 struct Edge {
-  const Plane* plane = nullptr;
-  const Ray* start = nullptr;
-  const Ray* end = nullptr;
-  bool ahead = true;  ///< both rays certainly run towards the light's plane
+  std::uint32_t outline = 0;
+  std::uint32_t plane = 0;
+  std::uint32_t start = 0;
+  std::uint32_t end = 0;
+
+  /// The visible part lies left of a light's edge and right of a blocker's.
+  bool of_light() const { return outline == 0; }
 };
+
+inline Edge edge_of(const Outlines& outlines, std::uint32_t outline, std::uint32_t k) {
+  const Outline& o = outlines.list[outline];
+  return {outline, o.first + k, o.first + k, o.first + o.after(k)};
+}
 
 /// A piece of the visible part's boundary, on which one edge is not covered.
 struct Piece {
   Edge edge;
   Stretch stretch;
-  const Outline* outline = nullptr;  ///< whose edge it is
-  bool of_light = false;             ///< the visible part lies left of a light's edge and right of a blocker's
 };
 
 /// What counts as covered where an edge of another outline runs along the walked one.
@@ -52,7 +61,7 @@ class BoundaryWalk {
 
   /// The part of the edge inside the outline; true if it has positive length.
   /// Degenerate: where an edge of the outline runs along, `alongside` says on which side of it the outline must lie.
-  bool stretch_inside(const Edge& edge, const Outline& outline, Alongside alongside, Stretch& result);
+  bool stretch_inside(const Edge& edge, std::uint32_t outline, Alongside alongside, Stretch& result);
 
   /// Appends the parts of `whole` that none of the covers holds, in order; `covers` is sorted.
   /// Returns: true if there was one.
@@ -62,13 +71,18 @@ class BoundaryWalk {
   int order(const Edge& edge, const Station& a, const Station& b) const;
 
  private:
-  bool chord(const Edge& edge, const Outline& outline, Alongside alongside, Stretch& result);
-  bool alongside_chord(const Outline& outline, Alongside alongside, Stretch& result) const;
-  bool clamp(const Edge& edge, Stretch& chord) const;
+  const std::int8_t* sides_at(const Edge& edge, std::uint32_t outline);
+  bool chord(const Edge& edge, std::uint32_t outline, Alongside alongside, Stretch& result);
+  static bool alongside_chord(const Outline& outline, const std::int8_t* sides, Alongside alongside, Stretch& result);
+  int side_of_end(std::uint32_t outline, std::uint32_t plane, const Edge& edge, std::uint32_t ray) const;
+  bool clamp(const Edge& edge, std::uint32_t outline, Stretch& chord) const;
+  int side_at(std::uint32_t plane, std::uint32_t ray) const {
+    return side(apex_, outlines_.planes[plane], outlines_.rays[ray]);
+  }
 
   Point3 apex_;
   const Outlines& outlines_;
-  std::vector<int> signs_;  ///< of the outline's rays at the edge's plane
+  std::vector<std::int8_t> sides_;  ///< of the outline's rays at the edge's plane
 };
 
 }  // namespace gnomon::sight

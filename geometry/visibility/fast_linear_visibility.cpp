@@ -60,17 +60,18 @@ bool FastLinearVisibility::Work::stand_up(const Point3& apex) {
 /// by (|a| f + |b| e) / (D (D - e - f)) with D = |a - b|, and two roundings.
 StretchEnd FastLinearVisibility::Work::end_at(const Edge& edge, const Station& station) const {
   if (station.kind != Station::Kind::inner) return {std::nullopt, 0, station.kind == Station::Kind::end ? 1.0 : 0.0, 0};
-  const Plane& plane = *station.plane;
-  const double a = dot(plane.normal, edge.start->direction);
-  const double b = dot(plane.normal, edge.end->direction);
-  const double a_error = plane.side_bound * edge.start->size + tiny;
-  const double b_error = plane.side_bound * edge.end->size + tiny;
+  const Plane& plane = outlines_.planes[station.plane];
+  const Ray& start = outlines_.rays[edge.start];
+  const Ray& end = outlines_.rays[edge.end];
+  const double a = dot(plane.normal, start.direction);
+  const double b = dot(plane.normal, end.direction);
+  const double a_error = plane.side_bound * start.size + tiny;
+  const double b_error = plane.side_bound * end.size + tiny;
   const double whole = std::fabs(a - b);
   const double sure = whole - 1.01 * (a_error + b_error);
   const double share = std::clamp(a / (a - b), 0.0, 1.0);
   const double error = 1.01 * (std::fabs(a) * b_error + std::fabs(b) * a_error) / (whole * sure) + 4 * unit;
-  const auto index = static_cast<std::uint32_t>(&plane - outlines_.planes.data());
-  const auto after = std::upper_bound(outlines_.list.begin(), outlines_.list.end(), index,
+  const auto after = std::upper_bound(outlines_.list.begin(), outlines_.list.end(), station.plane,
                                       [](std::uint32_t i, const Outline& outline) { return i < outline.first; });
   const bool known = sure > 0 && error <= 1;
   return {std::prev(after)->element, plane.name, known ? share : 0.5, known ? error : HUGE_VAL};
@@ -91,13 +92,12 @@ LinearLightSeen FastLinearVisibility::Work::penumbra(const Edge& edge) {
 /// The light is one edge, and every outline that touches its plane along a length covers a part of it.
 LinearLightSeen FastLinearVisibility::Work::walk(const Point3& apex) {
   BoundaryWalk walk(apex, outlines_);
-  const Outline& light = outlines_.list.front();
-  const Edge edge{outlines_.planes.data(), outlines_.rays.data(), outlines_.rays.data() + 1, light.ahead};
-  const Piece whole{edge, {{Station::Kind::start}, {Station::Kind::end}}, &light, true};
+  const Edge edge = edge_of(outlines_, 0, 0);
+  const Piece whole{edge, {{Station::Kind::start}, {Station::Kind::end}}};
   covers_.clear();
-  for (const Outline* outline = &light + 1; outline != &light + outlines_.list.size(); ++outline) {
+  for (std::uint32_t i = 1; i < outlines_.list.size(); ++i) {
     Stretch cover;
-    if (walk.stretch_inside(edge, *outline, Alongside::either_side, cover)) covers_.push_back(cover);
+    if (walk.stretch_inside(edge, i, Alongside::either_side, cover)) covers_.push_back(cover);
   }
   visible_.clear();
   if (!covers_.empty() && !walk.append_uncovered(whole, covers_, visible_)) return {Region::umbra, 0, 0, {}};

@@ -16,6 +16,13 @@ namespace gnomon {
 
 using namespace sight;
 
+/// The light as one side shows it: counterclockwise as seen from the other, the plane's normal towards that.
+struct LightSide {
+  std::vector<Point3> corners;
+  std::vector<std::uint32_t> names;
+  LightPlane plane;  ///< with its height over the apex of the question
+};
+
 /// The light, and the memory that questions share.
 class FastVisibility::Work {
  public:
@@ -24,13 +31,13 @@ class FastVisibility::Work {
   std::optional<LightSeen> seen_from(const Point3& point);
 
  private:
-  Gathered gather(const Point3& apex, bool reversed);
-  LightPlane plane_from(const Point3& apex, bool reversed) const;
+  int turn_to(const Point3& apex);
+  Gathered gather(const Point3& apex);
   void walk(const Point3& apex);
-  void append_stretches_inside(BoundaryWalk& walk, const Outline& outline);
-  void find_neighbours(const Outline& outline);
+  void append_stretches_inside(BoundaryWalk& walk, std::uint32_t outline);
+  void find_neighbours(std::uint32_t outline);
   void append_visible(BoundaryWalk& walk, const Piece& piece);
-  LightSeen bounded(Region region, double fraction, double bound);
+  LightSeen bounded(Region region, double fraction, double bound, std::size_t pieces);
   LightSeen visible_part();
   LightSeen wholly_visible();
 
@@ -38,27 +45,39 @@ class FastVisibility::Work {
   bool two_sided_;
   bool flat_;
   bool in_range_;
-  std::vector<Point3> corners_;
-  std::vector<std::uint32_t> names_;
-  LightPlane base_;  ///< normal on the light's front; no height
+  LightSide front_;
+  LightSide back_;
   FlatArea light_area_;
 
-  LightPlane plane_;
+  LightSide* shown_ = &front_;  ///< to the apex of the question
   Outlines outlines_;
   std::vector<std::uint32_t> candidates_;
   std::vector<Piece> inside_;   ///< of the blockers' edges, inside the light
   std::vector<Piece> visible_;  ///< what is not covered of those and of the light's edges
-  std::vector<const Outline*> neighbours_;
+  std::vector<std::uint32_t> neighbours_;
   std::vector<Stretch> covers_;
-  std::vector<BoundaryPiece> boundary_;
+  std::vector<BoundaryPiece> boundary_;  ///< never shorter than before: only its beginning counts
 };
 
 namespace {
 
-/// The plane of a light through three corners that are far apart.
-LightPlane base_plane(std::span<const Point3> corners) {
+/// The plane through three corners that are far apart.
+LightPlane plane_of(std::span<const Point3> corners) {
   const std::size_t third = corners.size() / 3;
   return light_plane(corners[0], corners[third], corners[2 * third]);
+}
+
+/// A polygon's corners run counterclockwise as seen from its front.
+LightSide light_side(const ConvexPolygon& polygon, bool front) {
+  LightSide side;
+  const auto count = static_cast<std::uint32_t>(polygon.corners().size());
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const std::uint32_t corner = front ? count - 1 - k : k;
+    side.corners.push_back(polygon.points()[polygon.corners()[corner]]);
+    side.names.push_back(polygon.side_edge(front ? (corner == 0 ? count - 1 : corner - 1) : corner));
+  }
+  side.plane = plane_of(side.corners);
+  return side;
 }
 
 SightDirection directed(const Plane& plane, bool reversed) {
@@ -68,73 +87,77 @@ SightDirection directed(const Plane& plane, bool reversed) {
 }
 
 /// A blocker's edge is walked with the blocker on its left; the visible part is on the other side.
-void append_piece(std::vector<BoundaryPiece>& boundary, const Piece& piece) {
-  BoundaryPiece& result = boundary.emplace_back();
-  const SightDirection from = direction_of(piece.edge, piece.stretch.from);
-  const SightDirection to = direction_of(piece.edge, piece.stretch.to);
-  if (!piece.of_light) result.blocker = piece.outline->element;
-  result.edge = piece.edge.plane->name;
-  result.start = piece.of_light ? from : to;
-  result.end = piece.of_light ? to : from;
-  result.normal = directed(*piece.edge.plane, !piece.of_light);
+void set_piece(BoundaryPiece& result, const Outlines& outlines, const Piece& piece) {
+  const Edge& edge = piece.edge;
+  const Plane& plane = outlines.planes[edge.plane];
+  result.edge = plane.name;
+  if (edge.of_light()) {
+    result.blocker.reset();
+  } else {
+    result.blocker = outlines.list[edge.outline].element;
+  }
+  (edge.of_light() ? result.start : result.end) = direction_of(outlines, edge, piece.stretch.from);
+  (edge.of_light() ? result.end : result.start) = direction_of(outlines, edge, piece.stretch.to);
+  result.normal = directed(plane, !edge.of_light());
 }
 
-Edge edge_of(const Outlines& outlines, const Outline& outline, std::uint32_t k) {
-  const std::uint32_t next = k + 1 == outline.count ? 0 : k + 1;
-  return {&outlines.planes[outline.first + k], &outlines.rays[outline.first + k], &outlines.rays[outline.first + next],
-          outline.ahead};
-}
+constexpr Stretch whole_edge{{Station::Kind::start}, {Station::Kind::end}};
 
 }  // namespace
 
 FastVisibility::Work::Work(const AreaLight& light, BlockerSet blockers)
-    : blockers_(std::move(blockers)), two_sided_(light.two_sided), flat_(light.polygon.is_flat()) {
-  const ConvexPolygon& polygon = light.polygon;
-  for (std::uint32_t k = 0; k < polygon.corners().size(); ++k) {
-    corners_.push_back(polygon.points()[polygon.corners()[k]]);
-    names_.push_back(polygon.side_edge(k));
-  }
-  base_ = base_plane(corners_);
-  light_area_ = flat_area(corners_, base_.u, base_.v);
-  in_range_ = std::all_of(corners_.begin(), corners_.end(), is_in_range) && blockers_.content().largest <= largest;
+    : blockers_(std::move(blockers)),
+      two_sided_(light.two_sided),
+      flat_(light.polygon.is_flat()),
+      front_(light_side(light.polygon, true)),
+      back_(light_side(light.polygon, false)),
+      light_area_(flat_area(front_.corners, front_.plane.u, front_.plane.v)) {
+  in_range_ =
+      std::all_of(front_.corners.begin(), front_.corners.end(), is_in_range) && blockers_.content().largest <= largest;
 }
 
-/// Seen from the front the base's normal points towards the apex: depth grows against it.
-LightPlane FastVisibility::Work::plane_from(const Point3& apex, bool reversed) const {
-  LightPlane plane = base_;
-  if (reversed) plane.normal = {-base_.normal.x, -base_.normal.y, -base_.normal.z};
-  set_height(plane, corners_[0] - apex);
-  return plane;
+/// Measures the height of the light's plane over the apex on the side that the light shows to it.
+/// Returns: -1, 0, +1: behind the light, in its plane, in front of it.
+int FastVisibility::Work::turn_to(const Point3& apex) {
+  shown_ = &front_;
+  set_height(front_.plane, front_.corners[0] - apex);
+  const LightPlane& plane = front_.plane;
+  if (plane.height > plane.height_error) return 1;
+  const std::vector<Point3>& c = front_.corners;
+  const int side = plane.height < -plane.height_error ? -1 : -exact_orientation(c[0], c[1], c[2], apex);
+  if (side < 0) {
+    shown_ = &back_;
+    set_height(back_.plane, back_.corners[0] - apex);
+  }
+  return side;
 }
 
 /// Outlines the light and what may hide it.
-Gathered FastVisibility::Work::gather(const Point3& apex, bool reversed) {
-  plane_ = plane_from(apex, reversed);
-  OutlineBuilder builder(apex, corners_, names_, reversed, plane_, outlines_);
-  blockers_.content().collect({apex, outlines_.pyramid(), plane_}, candidates_);
+Gathered FastVisibility::Work::gather(const Point3& apex) {
+  OutlineBuilder builder(apex, shown_->corners, shown_->names, shown_->plane, outlines_);
+  blockers_.content().collect({apex, outlines_.pyramid(), shown_->plane}, candidates_);
   return builder.append_blockers(blockers_.content(), candidates_);
 }
 
 /// The parts of the outline's edges inside the light; they are what makes it hide something.
-void FastVisibility::Work::append_stretches_inside(BoundaryWalk& walk, const Outline& outline) {
-  for (std::uint32_t k = 0; k < outline.count; ++k) {
-    Piece& piece = inside_.emplace_back();
-    piece.edge = edge_of(outlines_, outline, k);
-    piece.outline = &outline;
-    if (!walk.stretch_inside(piece.edge, outlines_.list.front(), Alongside::nothing, piece.stretch)) inside_.pop_back();
+void FastVisibility::Work::append_stretches_inside(BoundaryWalk& walk, std::uint32_t outline) {
+  const std::uint32_t count = outlines_.list[outline].count;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const Edge edge = edge_of(outlines_, outline, k);
+    Stretch stretch;
+    if (walk.stretch_inside(edge, 0, Alongside::nothing, stretch)) inside_.push_back({edge, stretch});
   }
 }
 
 /// Replaces the neighbours by the blockers' outlines whose boxes meet the outline's box.
-void FastVisibility::Work::find_neighbours(const Outline& outline) {
+void FastVisibility::Work::find_neighbours(std::uint32_t outline) {
   const std::size_t count = outlines_.list.size();
   neighbours_.resize(count);
   std::size_t found = 0;
-  const FlatBox box = outline.box;
-  for (std::size_t i = 1; i < count; ++i) {
-    const Outline& other = outlines_.list[i];
-    neighbours_[found] = &other;
-    found += box.meets(other.box) ? 1 : 0;
+  const FlatBox box = outlines_.list[outline].box;
+  for (std::uint32_t i = 1; i < count; ++i) {
+    neighbours_[found] = i;
+    found += i != outline && box.meets(outlines_.list[i].box) ? 1 : 0;
   }
   neighbours_.resize(found);
 }
@@ -143,18 +166,17 @@ void FastVisibility::Work::find_neighbours(const Outline& outline) {
 /// the blockers on two sides neither does. A light's edge is covered by what lies on its inner side.
 void FastVisibility::Work::append_visible(BoundaryWalk& walk, const Piece& piece) {
   covers_.clear();
-  FlatBox box = outlines_.boxes[static_cast<std::size_t>(piece.edge.start - outlines_.rays.data())];
-  box.include(outlines_.boxes[static_cast<std::size_t>(piece.edge.end - outlines_.rays.data())]);
-  for (const Outline* other : neighbours_) {
-    if (other == piece.outline || !box.meets(other->box)) continue;
-    const bool first = other < piece.outline;
-    const Alongside alongside = piece.of_light ? Alongside::same_side
-                                : first        ? Alongside::either_side
-                                               : Alongside::other_side;
+  const Edge& edge = piece.edge;
+  FlatBox box = outlines_.flats[edge.start].box();
+  box.include(outlines_.flats[edge.end].box());
+  for (const std::uint32_t other : neighbours_) {
+    if (!box.meets(outlines_.list[other].box)) continue;
+    const Alongside alongside = edge.of_light()        ? Alongside::same_side
+                                : other < edge.outline ? Alongside::either_side
+                                                       : Alongside::other_side;
     Stretch cover;
-    if (!walk.stretch_inside(piece.edge, *other, alongside, cover)) continue;
-    if (walk.order(piece.edge, cover.from, piece.stretch.from) <= 0 &&
-        walk.order(piece.edge, cover.to, piece.stretch.to) >= 0) {
+    if (!walk.stretch_inside(edge, other, alongside, cover)) continue;
+    if (walk.order(edge, cover.from, piece.stretch.from) <= 0 && walk.order(edge, cover.to, piece.stretch.to) >= 0) {
       return;
     }
     covers_.push_back(cover);
@@ -166,67 +188,59 @@ void FastVisibility::Work::walk(const Point3& apex) {
   inside_.clear();
   visible_.clear();
   BoundaryWalk walk(apex, outlines_);
-  const Outline& light = outlines_.list.front();
-  for (const Outline* outline = &light + 1; outline != &light + outlines_.list.size(); ++outline) {
-    append_stretches_inside(walk, *outline);
-  }
-  find_neighbours(light);
-  for (std::uint32_t k = 0; k < light.count; ++k) {
-    const Piece whole{edge_of(outlines_, light, k), {{Station::Kind::start}, {Station::Kind::end}}, &light, true};
-    append_visible(walk, whole);
-  }
-  const Outline* last = &light;
+  for (std::uint32_t i = 1; i < outlines_.list.size(); ++i) append_stretches_inside(walk, i);
+  find_neighbours(0);
+  const std::uint32_t light_edges = outlines_.list.front().count;
+  for (std::uint32_t k = 0; k < light_edges; ++k) append_visible(walk, {edge_of(outlines_, 0, k), whole_edge});
+  std::uint32_t last = 0;
   for (const Piece& piece : inside_) {
-    if (piece.outline != last) find_neighbours(*piece.outline);
-    last = piece.outline;
+    if (piece.edge.outline != last) find_neighbours(piece.edge.outline);
+    last = piece.edge.outline;
     append_visible(walk, piece);
   }
 }
 
-LightSeen FastVisibility::Work::bounded(Region region, double fraction, double bound) {
-  const Vector& n = plane_.normal;
-  return {region, fraction, bound, boundary_, {n.x, n.y, n.z, root_of_three * plane_.error}};
+/// With a boundary of the first `pieces`.
+LightSeen FastVisibility::Work::bounded(Region region, double fraction, double bound, std::size_t pieces) {
+  const LightPlane& plane = shown_->plane;
+  const Vector& n = plane.normal;
+  const std::span<const BoundaryPiece> boundary{boundary_.data(), pieces};
+  return {region, fraction, bound, boundary, {n.x, n.y, n.z, root_of_three * plane.error}};
 }
 
 /// The boundary is the light's own.
 LightSeen FastVisibility::Work::wholly_visible() {
-  const Outline& light = outlines_.list.front();
-  boundary_.resize(light.count);
-  for (std::uint32_t k = 0; k < light.count; ++k) {
-    const Edge edge = edge_of(outlines_, light, k);
-    BoundaryPiece& piece = boundary_[k];
-    piece.blocker.reset();
-    piece.edge = edge.plane->name;
-    piece.start = direction_of(*edge.start);
-    piece.end = direction_of(*edge.end);
-    piece.normal = directed(*edge.plane, false);
-  }
-  return bounded(Region::lit, 1, 0);
+  const std::uint32_t count = outlines_.list.front().count;
+  if (boundary_.size() < count) boundary_.resize(count);
+  for (std::uint32_t k = 0; k < count; ++k) set_piece(boundary_[k], outlines_, {edge_of(outlines_, 0, k), whole_edge});
+  return bounded(Region::lit, 1, 0, count);
 }
 
 LightSeen FastVisibility::Work::visible_part() {
-  AreaSum sum(plane_, outlines_.rays.front());
-  for (std::size_t i = 0; i < visible_.size(); ++i) sum.add(visible_[i], boundary_[i]);
+  if (boundary_.size() < visible_.size()) boundary_.resize(visible_.size());
+  AreaSum sum(shown_->plane, outlines_);
+  for (std::size_t i = 0; i < visible_.size(); ++i) {
+    set_piece(boundary_[i], outlines_, visible_[i]);
+    sum.add(visible_[i], boundary_[i]);
+  }
   const FlatArea area = sum.total();
   const double whole = light_area_.doubled;
   const double fraction = std::fabs(area.doubled) / whole;
   const double bound = 1.01 * (area.error + light_area_.error) / whole + 4 * unit;
-  return bounded(Region::penumbra, fraction >= 0 ? std::min(fraction, 1.0) : 0.5,
-                 bound >= 0 ? std::min(bound, 1.0) : 1);
+  return bounded(Region::penumbra, fraction >= 0 ? std::min(fraction, 1.0) : 0.5, bound >= 0 ? std::min(bound, 1.0) : 1,
+                 visible_.size());
 }
 
 std::optional<LightSeen> FastVisibility::Work::seen_from(const Point3& point) {
   if (!flat_ || !in_range_ || !is_in_range(point)) return std::nullopt;
-  boundary_.clear();
-  const int front = exact_orientation(corners_[0], corners_[1], corners_[2], point);
+  const int front = turn_to(point);
   if (front == 0 || (front < 0 && !two_sided_)) return LightSeen{Region::unlit, 0, 0, {}, {}};
-  const Gathered gathered = gather(point, front > 0);
+  const Gathered gathered = gather(point);
   if (gathered == Gathered::undecided) return std::nullopt;
   if (gathered == Gathered::covered) return LightSeen{Region::umbra, 0, 0, {}, {}};
   if (outlines_.list.size() == 1) return wholly_visible();
   walk(point);
-  for (const Piece& piece : visible_) append_piece(boundary_, piece);
-  if (inside_.empty()) return bounded(Region::lit, 1, 0);
+  if (inside_.empty()) return wholly_visible();
   if (visible_.empty()) return LightSeen{Region::umbra, 0, 0, {}, {}};
   return visible_part();
 }

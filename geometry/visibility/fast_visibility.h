@@ -22,8 +22,10 @@ struct SightDirection {
 };
 
 /// A piece of the boundary of the visible part of a light, on one edge of the light or of a blocker.
-/// Orientation: from `start` to `end` the visible part lies to the left, seen from the point that looks; `normal` is
-///              perpendicular to both and points to the visible part's side of the edge.
+/// Orientation: from `start` to `end` the visible part lies to the left, seen from beyond the light, hence to the
+/// right,
+///              seen from the point that looks; `normal` is perpendicular to both and points to the visible part's side
+///              of the edge.
 struct BoundaryPiece {
   std::optional<std::uint32_t> blocker;  ///< its index in the set; empty for an edge of the light
   std::uint32_t edge = 0;                ///< of the polygon as given, or of the solid

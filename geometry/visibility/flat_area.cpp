@@ -35,34 +35,23 @@ FlatArea flat_area(std::span<const Point3> corners, int u, int v) {
   return {doubled, unit * doubled};
 }
 
-/// Bound. A cross product of normals errs by 4.1 u na nb from rounding and 2 (ea nb + na eb) from its factors.
-SightDirection direction_of(const Edge& edge, const Station& station) {
-  if (station.kind == Kind::start) return direction_of(*edge.start);
-  if (station.kind == Kind::end) return direction_of(*edge.end);
-  if (station.vertex != nullptr) return direction_of(*station.vertex);
-  const Plane& a = station.rising ? *station.plane : *edge.plane;
-  const Plane& b = station.rising ? *edge.plane : *station.plane;
-  const Vector d = cross(a.normal, b.normal);
-  const double error = 4.2 * unit * a.size * b.size + 2.1 * (a.error * b.size + a.size * b.error) + tiny;
-  return {d.x, d.y, d.z, root_of_three * error};
-}
+AreaSum::AreaSum(const LightPlane& plane, const Outlines& outlines) : plane_(plane), outlines_(outlines) {}
 
-AreaSum::AreaSum(const LightPlane& plane, const Ray& origin)
-    : plane_(plane),
-      origin_{coordinate(origin.direction, plane.u), coordinate(origin.direction, plane.v), unit * origin.size} {}
-
-/// The corners of the light lie on its plane: there is nothing to intersect.
-FlatPoint AreaSum::from_origin(const SightDirection& direction, bool is_corner) const {
+/// The light's first corner is the origin.
+FlatPoint AreaSum::from_origin(const Edge& edge, const Station& station, const SightDirection& direction) const {
+  const FlatPoint& origin = outlines_.flats.front();
+  const std::uint32_t ray = ray_at(edge, station);
+  if (ray != Station::none) return difference(outlines_.flats[ray], origin);
   const Vector d{direction.x, direction.y, direction.z};
-  if (!is_corner) return difference(meeting_point(plane_, d, size_of(d), direction.error), origin_);
-  return difference({coordinate(d, plane_.u), coordinate(d, plane_.v), direction.error}, origin_);
+  return difference(meeting_point(plane_, d, size_of(d), direction.error), origin);
 }
 
 /// Bound. With errors e and f of the two points, the product errs by 2 (|p| f + e |q| + e f) and 3 roundings; the sum
 /// by one rounding of what it is.
 void AreaSum::add(const Piece& piece, const BoundaryPiece& made) {
-  const FlatPoint p = from_origin(made.start, piece.of_light && piece.stretch.from.kind != Kind::inner);
-  const FlatPoint q = from_origin(made.end, piece.of_light && piece.stretch.to.kind != Kind::inner);
+  const bool forward = piece.edge.of_light();
+  const FlatPoint p = from_origin(piece.edge, forward ? piece.stretch.from : piece.stretch.to, made.start);
+  const FlatPoint q = from_origin(piece.edge, forward ? piece.stretch.to : piece.stretch.from, made.end);
   const double p_size = std::max(std::fabs(p.u), std::fabs(p.v));
   const double q_size = std::max(std::fabs(q.u), std::fabs(q.v));
   sum_ += p.u * q.v - p.v * q.u;

@@ -36,6 +36,21 @@ struct FlatBox {
   }
 };
 
+/// Where a ray meets the light's plane, relative to the apex, in the two kept coordinates.
+/// Exactness: each coordinate is off by at most `error`, which may be infinite, and is no less than the coordinate's
+///            rounding.
+struct FlatPoint {
+  double u = 0;
+  double v = 0;
+  double error = HUGE_VAL;
+
+  /// Holds the exact point, whatever is rounded here.
+  FlatBox box() const {
+    const double e = 2 * error;
+    return {u - e, v - e, u + e, v + e};
+  }
+};
+
 /// One outline: the rays and planes `first` to `first + count` of an Outlines.
 ///
 /// Orientation: the positive side of every plane holds the outline; plane k runs from ray k to ray k + 1.
@@ -44,25 +59,36 @@ struct Outline {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
   std::uint32_t element = 0;  ///< index of the blocker
-  bool ahead = true;          ///< every ray certainly runs towards the light's plane, so that box is finite
   FlatBox box;                ///< cut to the light's, which is all that matters
+
+  std::uint32_t before(std::uint32_t k) const { return k == 0 ? count - 1 : k - 1; }
+  std::uint32_t after(std::uint32_t k) const { return k + 1 == count ? 0 : k + 1; }
 };
 
-/// Outlines in one piece of memory that is used again for the next apex.
+/// Outlines in one piece of memory that is used again for the next apex. The first is the light's.
 struct Outlines {
   std::vector<Ray> rays;
   std::vector<Plane> planes;
-  std::vector<FlatBox> boxes;  ///< of each ray's point on the light's plane
+  std::vector<FlatPoint> flats;  ///< where each ray meets the light's plane
   std::vector<Outline> list;
-  std::vector<Plane> sides;  ///< of a linear light's pyramid
+  std::vector<Plane> sides;  ///< of a linear light's pyramid; the first two are the light's planes
+  /// On which side of the pyramid's planes the rays of an outline run: row by row from first * (number of planes), one
+  /// row for a plane. The light's own are not filled in.
+  std::vector<std::int8_t> at_pyramid;
+  /// On which side of each plane the light's rays run, one row for a plane. The light's own are not filled in.
+  std::vector<std::int8_t> of_light;
 
   void clear() {
     sides.clear();
     rays.clear();
     planes.clear();
-    boxes.clear();
+    flats.clear();
     list.clear();
   }
+  const std::int8_t* sides_at_pyramid(const Outline& o, std::size_t plane) const {
+    return at_pyramid.data() + o.first * pyramid().size() + plane * o.count;
+  }
+  const std::int8_t* sides_of_light(std::size_t plane) const { return of_light.data() + plane * list.front().count; }
   /// The sides of the pyramid over the light, positive side inside.
   std::span<const Plane> pyramid() const {
     return sides.empty() ? planes_of(list.front()) : std::span<const Plane>(sides);
@@ -104,14 +130,6 @@ inline void set_height(LightPlane& plane, const Vector& to_plane) {
   plane.height_error = plane.depth_error(size, unit * size);
   plane.height_doubt = 1.5 * plane.height_error / plane.height;
 }
-
-/// Where a ray meets the light's plane, relative to the apex, in the two kept coordinates.
-/// Exactness: each coordinate is off by at most `error`, which may be infinite.
-struct FlatPoint {
-  double u = 0;
-  double v = 0;
-  double error = HUGE_VAL;
-};
 
 /// Bound. The quotient height / depth has the relative error of both and three roundings; the product with a coordinate
 /// adds one, and the coordinate's own error is scaled along.

@@ -40,8 +40,7 @@ std::vector<SilhouetteEdge> silhouette(const Point3& apex, const ConvexSolid& so
 }  // namespace
 
 OutlineBuilder::OutlineBuilder(const Point3& apex, std::span<const Point3> light_corners,
-                               std::span<const std::uint32_t> names, bool reversed, const LightPlane& plane,
-                               Outlines& outlines)
+                               std::span<const std::uint32_t> names, const LightPlane& plane, Outlines& outlines)
     : apex_(apex),
       extent_(Extent::area),
       light_corners_(light_corners),
@@ -49,8 +48,8 @@ OutlineBuilder::OutlineBuilder(const Point3& apex, std::span<const Point3> light
       plane_(plane),
       outlines_(outlines) {
   outlines_.clear();
-  append_rays(light_corners, reversed);
-  append_planes(names, reversed);
+  append_rays(light_corners);
+  append_planes(names, false);
   append_light();
 }
 
@@ -66,7 +65,7 @@ OutlineBuilder::OutlineBuilder(const Point3& apex, std::span<const Point3, 3> en
       outlines_(outlines) {
   constexpr std::array<std::uint32_t, 2> names = {0, 0};
   outlines_.clear();
-  append_rays(light_corners_, false);
+  append_rays(light_corners_);
   append_planes(names, false);
   const Ray beside = ray_through(apex, ends[2]);
   outlines_.sides = {outlines_.planes[0], outlines_.planes[1], plane_through(beside, outlines_.rays[0], 0),
@@ -92,10 +91,9 @@ Gathered OutlineBuilder::append_blockers(const BlockerSet::Content& blockers,
   return result;
 }
 
-void OutlineBuilder::append_rays(std::span<const Point3> corners, bool reversed) {
+void OutlineBuilder::append_rays(std::span<const Point3> corners) {
   first_ = static_cast<std::uint32_t>(outlines_.rays.size());
-  for (const Point3& corner : corners) outlines_.rays.push_back(ray_through(apex_, corner));
-  if (reversed) std::reverse(outlines_.rays.begin() + first_, outlines_.rays.end());
+  for (const Point3& corner : corners) set_ray(outlines_.rays.emplace_back(), apex_, corner);
 }
 
 /// Reversed, ray k is corner count - 1 - k; the edge to ray k + 1 is the one that ends there in the order given.
@@ -109,20 +107,23 @@ void OutlineBuilder::append_planes(std::span<const std::uint32_t> names, bool re
   }
 }
 
+/// Turns the rays that were appended round, and what is known of them.
+void OutlineBuilder::reverse_rays() {
+  const auto count = static_cast<std::ptrdiff_t>(outlines_.rays.size() - first_);
+  std::reverse(outlines_.rays.begin() + first_, outlines_.rays.end());
+  const auto planes = static_cast<std::ptrdiff_t>(outlines_.pyramid().size());
+  auto row = outlines_.at_pyramid.begin() + planes * first_;
+  for (std::ptrdiff_t i = 0; i < planes; ++i, row += count) std::reverse(row, row + count);
+}
+
 /// Appends the planes of the rays that were appended, these turned round where they run clockwise; 0 if they are seen
 /// edge-on.
 int OutlineBuilder::append_counterclockwise(std::span<const std::uint32_t> names) {
   const Ray* rays = outlines_.rays.data() + first_;
   const int turn = side(apex_, plane_through(rays[0], rays[1], 0), rays[2]);
-  if (turn < 0) std::reverse(outlines_.rays.begin() + first_, outlines_.rays.end());
+  if (turn < 0) reverse_rays();
   if (turn != 0) append_planes(names, turn < 0);
   return turn;
-}
-
-FlatBox OutlineBuilder::point_box(const Ray& ray, bool& ahead) const {
-  const FlatPoint p = meeting_point(plane_, ray.direction, ray.size, unit * ray.size);
-  ahead = ahead && p.error < HUGE_VAL;
-  return {p.u - p.error, p.v - p.error, p.u + p.error, p.v + p.error};
 }
 
 /// Closes the light's outline. Its corners lie on the light's plane: there is nothing to intersect.
@@ -132,9 +133,8 @@ void OutlineBuilder::append_light() {
   for (const Ray& ray : outlines_.rays) {
     const double u = coordinate(ray.direction, plane_.u);
     const double v = coordinate(ray.direction, plane_.v);
-    const double error = 2 * unit * ray.size;
-    outlines_.boxes.push_back({u - error, v - error, u + error, v + error});
-    outline.box.include(outlines_.boxes.back());
+    outlines_.flats.push_back({u, v, unit * ray.size});
+    outline.box.include(outlines_.flats.back().box());
   }
   outlines_.list.push_back(outline);
 }
@@ -145,16 +145,38 @@ Seen OutlineBuilder::dropped() {
   return Seen::apart;
 }
 
-bool OutlineBuilder::certainly_outside() const {
-  for (const Plane& plane : outlines_.pyramid()) {
+/// Notes on which side of the pyramid's planes the rays run, as far as doubles know and until one of the planes has all
+/// rays outside: then true.
+bool OutlineBuilder::certainly_outside() {
+  const std::span<const Plane> pyramid = outlines_.pyramid();
+  const std::size_t count = outlines_.rays.size() - first_;
+  const Ray* rays = outlines_.rays.data() + first_;
+  if (outlines_.at_pyramid.size() < pyramid.size() * outlines_.rays.size()) {
+    outlines_.at_pyramid.resize(2 * pyramid.size() * outlines_.rays.size());
+  }
+  std::int8_t* row = outlines_.at_pyramid.data() + pyramid.size() * first_;
+  for (const Plane& plane : pyramid) {
     bool outside = true;
-    for (std::size_t k = first_; outside && k < outlines_.rays.size(); ++k) {
-      const Ray& ray = outlines_.rays[k];
-      outside = dot(plane.normal, ray.direction) < -(plane.side_bound * ray.size + tiny);
+    for (std::size_t k = 0; k < count; ++k) {
+      row[k] = certain_side(plane, rays[k]);
+      outside = outside && row[k] == -1;
     }
     if (outside) return true;
+    row += count;
   }
   return false;
+}
+
+/// Settles what certainly_outside() left uncertain.
+void OutlineBuilder::make_sides_exact(const Outline& outline) {
+  const std::span<const Plane> pyramid = outlines_.pyramid();
+  std::int8_t* row = outlines_.at_pyramid.data() + pyramid.size() * outline.first;
+  for (const Plane& plane : pyramid) {
+    for (const Ray& ray : outlines_.rays_of(outline)) {
+      if (*row == uncertain) *row = static_cast<std::int8_t>(exact_side(apex_, plane, ray));
+      ++row;
+    }
+  }
 }
 
 bool OutlineBuilder::certainly_behind_apex() const {
@@ -227,6 +249,10 @@ Seen OutlineBuilder::finished(std::uint32_t element) {
   outline.count = static_cast<std::uint32_t>(outlines_.rays.size()) - first_;
   outline.element = element;
   const std::span<const Ray> light = outlines_.rays_of(outlines_.list.front());
+  if (outlines_.of_light.size() < light.size() * outlines_.planes.size()) {
+    outlines_.of_light.resize(2 * light.size() * outlines_.planes.size());
+  }
+  std::int8_t* row = outlines_.of_light.data() + light.size() * first_;
   bool covers = true;
   for (const Plane& plane : outlines_.planes_of(outline)) {
     bool apart = true;
@@ -236,14 +262,16 @@ Seen OutlineBuilder::finished(std::uint32_t element) {
       apart = apart && sign <= 0;
       along = along && sign == 0;
       covers = covers && sign >= 0;
+      *row++ = static_cast<std::int8_t>(sign);
     }
     if (apart && !along) return dropped();
   }
   if (covers) return Seen::covers;
-  outlines_.boxes.resize(first_);
+  make_sides_exact(outline);
+  outlines_.flats.resize(first_);
   for (const Ray& ray : outlines_.rays_of(outline)) {
-    outlines_.boxes.push_back(point_box(ray, outline.ahead));
-    outline.box.include(outlines_.boxes.back());
+    outlines_.flats.push_back(meeting_point(plane_, ray.direction, ray.size, unit * ray.size));
+    outline.box.include(outlines_.flats.back().box());
   }
   outline.box.cut(outlines_.list.front().box);
   outlines_.list.push_back(outline);
@@ -252,7 +280,7 @@ Seen OutlineBuilder::finished(std::uint32_t element) {
 
 Seen OutlineBuilder::append_flat(std::span<const Point3> corners, std::span<const std::uint32_t> names,
                                  std::uint32_t element) {
-  append_rays(corners, false);
+  append_rays(corners);
   if (certainly_outside() || certainly_behind_apex()) return dropped();
   const Depth depth = depth_of(std::span(outlines_.rays).subspan(first_));
   if (depth == Depth::behind) return dropped();

@@ -30,14 +30,14 @@ enum class Gathered {
 /// and the point may hide a part of it.
 class OutlineBuilder {
  public:
-  /// For an area light.
-  /// Requires: the apex in front of the corners' plane: they run clockwise, seen from it, if `reversed`.
+  /// For an area light. Keeps a reference to the plane, as below.
+  /// Requires: the corners run counterclockwise.
   OutlineBuilder(const Point3& apex, std::span<const Point3> light_corners, std::span<const std::uint32_t> names,
-                 bool reversed, const LightPlane& plane, Outlines& outlines);
+                 const LightPlane& plane, Outlines& outlines);
 
   /// For a linear light: `ends` are its start, its end and a point off the plane through both and the apex, so that
   /// all three span a plane to measure depth by.
-  /// Requires: the apex behind the ends' plane: they run clockwise seen from it.
+  /// Requires: the ends run counterclockwise.
   OutlineBuilder(const Point3& apex, std::span<const Point3, 3> ends, const LightPlane& plane, Outlines& outlines);
 
   /// Looks at blockers, and stops at one that covers the light.
@@ -54,12 +54,14 @@ class OutlineBuilder {
   enum class Depth { in_front, behind, crossing };
   enum class Beyond { none, part, all };
 
-  void append_rays(std::span<const Point3> corners, bool reversed);
+  void append_rays(std::span<const Point3> corners);
+  void reverse_rays();
   void append_planes(std::span<const std::uint32_t> names, bool reversed);
   Seen append_silhouette(std::span<const Point3* const> loop, std::span<const std::uint32_t> names,
                          std::uint32_t element);
   Seen seen_from_inside(const ConvexSolid& solid) const;
-  bool certainly_outside() const;
+  bool certainly_outside();
+  void make_sides_exact(const Outline& outline);
   bool certainly_behind_apex() const;
   Depth depth_of(std::span<const Ray> rays) const;
   int append_counterclockwise(std::span<const std::uint32_t> names);
@@ -71,13 +73,12 @@ class OutlineBuilder {
   bool light_beyond_all_shown(const ConvexSolid& solid) const;
   Seen finished(std::uint32_t element);
   Seen dropped();
-  FlatBox point_box(const Ray& ray, bool& ahead) const;
 
   Point3 apex_;
   Extent extent_;
   std::span<const Point3> light_corners_;
   std::span<const Point3> depth_corners_;  ///< three of the light's plane
-  LightPlane plane_;
+  const LightPlane& plane_;
   Outlines& outlines_;
   std::uint32_t first_ = 0;  ///< of the outline being built
 };

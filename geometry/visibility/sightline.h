@@ -1,6 +1,9 @@
 #pragma once
 
 /// Rays and planes through the point that looks, in doubles, with bounds that certify signs. Private to this folder.
+///
+/// Left and right, clockwise and counterclockwise are in this folder as seen from beyond, by one who looks back at the
+/// apex.
 
 #include <algorithm>
 #include <cmath>
@@ -72,9 +75,16 @@ struct Plane {
   std::uint32_t name = 0;  ///< index of the edge in its element
 };
 
+inline void set_ray(Ray& ray, const Point3& apex, const Point3& point) {
+  ray.direction = point - apex;
+  ray.size = size_of(ray.direction);
+  ray.point = &point;
+}
+
 inline Ray ray_through(const Point3& apex, const Point3& point) {
-  const Vector direction = point - apex;
-  return {direction, size_of(direction), &point};
+  Ray ray;
+  set_ray(ray, apex, point);
+  return ray;
 }
 
 /// Bound. With an error of e per coordinate of the normal, dot() errs by 3 e s from the normal, by u from the ray's
@@ -101,13 +111,20 @@ inline Plane plane_through(const Ray& from, const Ray& to, std::uint32_t name) {
 /// The sign that doubles cannot certify: of |from - apex, to - apex, point - apex|.
 int exact_side(const Point3& apex, const Plane& plane, const Ray& ray);
 
-/// Side of the plane on which the ray runs: -1, 0 or +1, exact.
-inline int side(const Point3& apex, const Plane& plane, const Ray& ray) {
+/// What certain_side() says of a side that doubles cannot certify.
+inline constexpr std::int8_t uncertain = 2;
+
+/// Side of the plane on which the ray runs: -1 or +1 if doubles certify it.
+inline std::int8_t certain_side(const Plane& plane, const Ray& ray) {
   const double value = dot(plane.normal, ray.direction);
   const double bound = plane.side_bound * ray.size + tiny;
-  if (value > bound) return 1;
-  if (value < -bound) return -1;
-  return exact_side(apex, plane, ray);
+  return static_cast<std::int8_t>(value > bound ? 1 : value < -bound ? -1 : uncertain);
+}
+
+/// Side of the plane on which the ray runs: -1, 0 or +1, exact.
+inline int side(const Point3& apex, const Plane& plane, const Ray& ray) {
+  const int certain = certain_side(plane, ray);
+  return certain == uncertain ? exact_side(apex, plane, ray) : certain;
 }
 
 /// The sign that doubles cannot certify: of the determinant of the three normals.

@@ -14,7 +14,7 @@ TEST(ArcFactorAgreement, MatchesTheArcSineInLongDoubles) {
     const long double expected = std::asin(root) / (root * std::sqrt(1 - static_cast<long double>(x)));
     ASSERT_LE(std::fabs(arc_factor(x) - expected), arc_factor_error * expected) << x;
   }
-  EXPECT_EQ(arc_factor(0), 1);
+  EXPECT_EQ(arc_factor(0.0), 1);
 }
 
 }  // namespace

@@ -83,6 +83,62 @@ TEST_P(LambertAgreement, BoundHoldsTheTruthOf200Bits) {
 
 INSTANTIATE_TEST_SUITE_P(Blockers, LambertAgreement, ::testing::Values(0, 1, 3, 8));
 
+Point3 scaled(const Point3& p, int exponent) {
+  return {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
+}
+
+/// A light, triangles before it, and a point that sees it across or above its horizon.
+struct Room {
+  std::vector<Point3> light;
+  std::vector<std::vector<Point3>> triangles;
+  Point3 p;
+  Point3 normal;
+
+  /// With all lengths times a power of two.
+  Irradiance irradiance(int exponent) const {
+    const auto polygon = [exponent](std::vector<Point3> points) {
+      for (Point3& point : points) point = scaled(point, exponent);
+      return ConvexPolygon::from_points(std::move(points));
+    };
+    std::vector<ConvexBlocker> blockers;
+    for (const auto& triangle : triangles) blockers.emplace_back(polygon(triangle));
+    FastVisibility visibility({polygon(light)}, BlockerSet(blockers));
+    return lambert_irradiance(visibility.seen_from(scaled(p, exponent)).value(), normal, 1);
+  }
+};
+
+Room drawn_room(std::mt19937& engine) {
+  const auto draw = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(engine()) / 4294967296.0;
+  };
+  const auto point = [&](double low, double high) {
+    const double x = draw(-1, 1);
+    const double y = draw(-1, 1);
+    return Point3{x, y, draw(low, high)};
+  };
+  Room room;
+  room.light = {{-.5, -.5, 4}, {-.5, .5, 4}, {.5, .5, 4}, {.5, -.5, 4}};
+  for (unsigned count = engine() % 4; count > 0; --count)
+    room.triangles.push_back({point(1, 3), point(1, 3), point(1, 3)});
+  room.p = point(-1, 0.5);
+  room.normal = point(-0.5, 1);
+  return room;
+}
+
+TEST(Lambert, LengthsOfAnyPowerOfTwoGiveTheSameWithinTheBounds) {
+  std::mt19937 engine(1);
+  for (int round = 0; round < 300; ++round) {
+    const Room room = drawn_room(engine);
+    const Irradiance plain = room.irradiance(0);
+    for (const int exponent : {-900, -300, -100, -60, -40, -20, 20, 40, 60, 80, 97}) {
+      const Irradiance other = room.irradiance(exponent);
+      ASSERT_LE(std::fabs(plain.value - other.value), plain.error_bound + other.error_bound)
+          << round << " " << exponent;
+      ASSERT_TRUE(exponent < -60 || other.error_bound <= 1e-10) << round << " " << exponent << " " << other.error_bound;
+    }
+  }
+}
+
 TEST(Lambert, AHugeLightGivesPiTimesItsRadiance) {
   FastVisibility visibility(square_light(1e9, 1), BlockerSet({}));
   const Irradiance e = lambert_irradiance(*visibility.seen_from({0, 0, 0}), {0, 0, 3}, 2);
