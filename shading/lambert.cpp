@@ -39,7 +39,7 @@ SightDirection of_size_one(const SightDirection& d) {
   const double size = std::fmax(std::fmax(std::fabs(d.x), std::fabs(d.y)), std::fabs(d.z));
   if (!(size > 0 && size < HUGE_VAL)) return d;
   const int less = -std::ilogb(size);
-  return {std::scalbn(d.x, less), std::scalbn(d.y, less), std::scalbn(d.z, less), std::scalbn(d.error, less)};
+  return {std::scalbn(d.x, less), std::scalbn(d.y, less), std::scalbn(d.z, less), d.error};
 }
 
 /// The receiver, and the direction along which what is below its horizon is moved up to it.
@@ -75,20 +75,15 @@ struct Ends {
   Vector a;
   Vector b;
   double inverse = 1;  ///< 1 over the product of their lengths
-  double error = 0;    ///< at least the sum of how far each is off, in parts of its length
+  double error = 0;    ///< the sum of how far each is off, in parts of its length
 };
 
 Ends ends(const Vector& a, const Vector& b, double error) {
   return {a, b, 1 / std::sqrt(dot(a, a) * dot(b, b)), error};
 }
 
-/// Bound. Where a length is asked for, more will do: what is off by e of its length a, and by f of b, is off by
-/// (e b + f a) / (a b).
 Ends ends(const SightDirection& start, const SightDirection& end) {
-  const Vector a = vector(start);
-  const Vector b = vector(end);
-  const double inverse = 1 / std::sqrt(dot(a, a) * dot(b, b));
-  return {a, b, inverse, 1.01 * inverse * (start.error * length_above(b) + end.error * length_above(a))};
+  return ends(vector(start), vector(end), start.error + end.error);
 }
 
 double squared_length(const SightDirection& d) {
@@ -135,11 +130,10 @@ inline void ArcSum::add_arc(const Ends& e, const SightDirection& normal) {
 /// Bound. The angle is off by what its ends are and 20 u, the piece's unit normal by its own error and 8 u; the cosine
 /// is at most 1 and the angle at most pi.
 void ArcSum::add_wide_arc(const Ends& e, const SightDirection& normal) {
-  const SightDirection scaled = of_size_one(normal);
-  const Vector n = vector(scaled);
+  const Vector n = vector(of_size_one(normal));
   const double n_length = length(n);
   const double angle = std::atan2(length(cross(e.a, e.b)), dot(e.a, e.b));
-  const double normal_error = 1.1 * scaled.error / n_length + 8 * unit;
+  const double normal_error = 1.1 * normal.error + 8 * unit;
   add_term(angle * dot(horizon_.normal, n) / n_length, 1.1 * e.error + 24 * unit + std::numbers::pi * normal_error);
 }
 
@@ -194,9 +188,7 @@ bool ArcSum::add_two(const BoundaryPiece& p, const BoundaryPiece& q) {
   const Pair aa = dot(a, a);
   const Pair bb = dot(b, b);
   const Pair inverse = 1 / square_root(aa * bb);
-  const Pair ends_error =
-      1.01 * inverse *
-      (Pair{p.start.error, q.start.error} * length_above(b) + Pair{p.end.error, q.end.error} * length_above(a));
+  const Pair ends_error = Pair{p.start.error, q.start.error} + Pair{p.end.error, q.end.error};
   const Pair x = 0.5 - 0.5 * inverse * dot(a, b);
   const auto common = (aa > least_tame) & (aa < most_tame) & (bb > least_tame) & (bb < most_tame) & (dot(n, a) >= 0) &
                       (dot(n, b) >= 0) & (x <= 0.25) & (ends_error < 0.01);
@@ -218,7 +210,7 @@ void ArcSum::add(std::span<const BoundaryPiece> pieces) {
 
 bool certainly_below(const Horizon& horizon, const SightDirection& d) {
   const Vector v = vector(d);
-  return horizon.height(v) < -(1.01 * d.error + 12 * unit * length_above(v));
+  return horizon.height(v) < -(1.01 * d.error + 12 * unit) * length_above(v);
 }
 
 }  // namespace

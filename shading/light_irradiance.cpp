@@ -18,10 +18,10 @@ constexpr double unit = 0x1p-53;
 /// The widest bound per strength that is taken from the fast level.
 constexpr double widest_bound = 1e-6;
 
-/// Of coordinates rounded to the nearest double; root of three is below 1.74.
+/// Of coordinates rounded to the nearest double; so small that this loses digits, nothing is claimed.
 SightDirection rounded(const ExactVector& v) {
-  SightDirection d{nearest_double(v.x), nearest_double(v.y), nearest_double(v.z), 0};
-  d.error = 1.74 * unit * std::fmax(std::fmax(std::fabs(d.x), std::fabs(d.y)), std::fabs(d.z));
+  SightDirection d{nearest_double(v.x), nearest_double(v.y), nearest_double(v.z), 1.01 * unit};
+  if (std::fmax(std::fmax(std::fabs(d.x), std::fabs(d.y)), std::fabs(d.z)) < 1e-290) d.error = HUGE_VAL;
   return d;
 }
 

@@ -46,24 +46,25 @@ bool BoundaryWalk::alongside_chord(const Outline& outline, const std::int8_t* si
 }
 
 /// Walking with the outline counterclockwise, one comes in where the outline's rays pass from left to right, and goes
-/// out where they pass from right to left.
+/// out where they pass from right to left. A ray in the edge's plane belongs to the side of the ray before.
 bool BoundaryWalk::chord(const Edge& edge, std::uint32_t outline, Alongside alongside, Stretch& result) {
   const Outline& o = outlines_.list[outline];
   const std::int8_t* sides = sides_at(edge, outline);
-  bool left = false;
-  bool right = false;
-  for (std::uint32_t k = 0; k < o.count; ++k) {
-    left = left || sides[k] > 0;
-    right = right || sides[k] < 0;
+  bool crosses = false;
+  int last = sides[o.count - 1];
+  int passed = last == 0 ? sides[o.count - 2] : last;
+  std::uint32_t k = o.count - 1;
+  for (std::uint32_t next = 0; next < o.count; ++next) {
+    const int now = sides[next];
+    if (passed * now < 0) {
+      crosses = true;
+      (passed > 0 ? result.from : result.to) = at(o.first + k, passed > 0, last == 0 ? o.first + k : Station::none);
+    }
+    passed = now == 0 ? last : now;
+    last = now;
+    k = next;
   }
-  if (!left || !right) return alongside != Alongside::nothing && alongside_chord(o, sides, alongside, result);
-  for (std::uint32_t k = 0; k < o.count; ++k) {
-    const int passed = sides[k] == 0 ? sides[o.before(k)] : sides[k];
-    if (passed * sides[o.after(k)] >= 0) continue;
-    const std::uint32_t vertex = sides[k] == 0 ? o.first + k : Station::none;
-    (passed > 0 ? result.from : result.to) = at(o.first + k, passed > 0, vertex);
-  }
-  return true;
+  return crosses || (alongside != Alongside::nothing && alongside_chord(o, sides, alongside, result));
 }
 
 /// On which side of a plane of the outline an end of the edge lies.
@@ -107,6 +108,10 @@ int BoundaryWalk::order(const Edge& edge, const Station& a, const Station& b) co
 bool BoundaryWalk::append_uncovered(const Piece& whole, std::vector<Stretch>& covers,
                                     std::vector<Piece>& pieces) const {
   const Edge& edge = whole.edge;
+  if (covers.empty()) {
+    pieces.push_back(whole);
+    return true;
+  }
   if (covers.size() > 1) {
     std::sort(covers.begin(), covers.end(),
               [&](const Stretch& a, const Stretch& b) { return order(edge, a.from, b.from) < 0; });

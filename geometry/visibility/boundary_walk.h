@@ -38,6 +38,13 @@ struct Edge {
   bool of_light() const { return outline == 0; }
 };
 
+/// The ray of an input point that lies at the station, or Station::none.
+inline std::uint32_t ray_at(const Edge& edge, const Station& station) {
+  return station.kind == Station::Kind::start ? edge.start
+         : station.kind == Station::Kind::end ? edge.end
+                                              : station.vertex;
+}
+
 inline Edge edge_of(const Outlines& outlines, std::uint32_t outline, std::uint32_t k) {
   const Outline& o = outlines.list[outline];
   return {outline, o.first + k, o.first + k, o.first + o.after(k)};

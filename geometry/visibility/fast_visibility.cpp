@@ -16,13 +16,6 @@ namespace gnomon {
 
 using namespace sight;
 
-/// The light as one side shows it: counterclockwise as seen from the other, the plane's normal towards that.
-struct LightSide {
-  std::vector<Point3> corners;
-  std::vector<std::uint32_t> names;
-  LightPlane plane;  ///< with its height over the apex of the question
-};
-
 /// The light, and the memory that questions share.
 class FastVisibility::Work {
  public:
@@ -77,28 +70,33 @@ LightSide light_side(const ConvexPolygon& polygon, bool front) {
     side.names.push_back(polygon.side_edge(front ? (corner == 0 ? count - 1 : corner - 1) : corner));
   }
   side.plane = plane_of(side.corners);
+  for (const Point3& corner : side.corners) {
+    const Vector d = corner - side.corners[0];
+    const double u = coordinate(d, side.plane.u);
+    const double v = coordinate(d, side.plane.v);
+    side.flats.push_back({u, v, unit * std::max(std::fabs(u), std::fabs(v))});
+    side.box.include(side.flats.back().box());
+  }
   return side;
 }
 
-SightDirection directed(const Plane& plane, bool reversed) {
-  const Vector& n = plane.normal;
-  const double error = root_of_three * plane.error;
-  return reversed ? SightDirection{-n.x, -n.y, -n.z, error} : SightDirection{n.x, n.y, n.z, error};
-}
-
 /// A blocker's edge is walked with the blocker on its left; the visible part is on the other side.
-void set_piece(BoundaryPiece& result, const Outlines& outlines, const Piece& piece) {
-  const Edge& edge = piece.edge;
+void set_piece(BoundaryPiece& result, const Outlines& outlines, const Edge& edge, const SightDirection& from,
+               const SightDirection& to) {
   const Plane& plane = outlines.planes[edge.plane];
+  const Vector& n = plane.normal;
   result.edge = plane.name;
   if (edge.of_light()) {
     result.blocker.reset();
+    result.start = from;
+    result.end = to;
+    result.normal = direction_of(n, plane.error);
   } else {
     result.blocker = outlines.list[edge.outline].element;
+    result.start = to;
+    result.end = from;
+    result.normal = direction_of({-n.x, -n.y, -n.z}, plane.error);
   }
-  (edge.of_light() ? result.start : result.end) = direction_of(outlines, edge, piece.stretch.from);
-  (edge.of_light() ? result.end : result.start) = direction_of(outlines, edge, piece.stretch.to);
-  result.normal = directed(plane, !edge.of_light());
 }
 
 constexpr Stretch whole_edge{{Station::Kind::start}, {Station::Kind::end}};
@@ -134,7 +132,7 @@ int FastVisibility::Work::turn_to(const Point3& apex) {
 
 /// Outlines the light and what may hide it.
 Gathered FastVisibility::Work::gather(const Point3& apex) {
-  OutlineBuilder builder(apex, shown_->corners, shown_->names, shown_->plane, outlines_);
+  OutlineBuilder builder(apex, *shown_, outlines_);
   blockers_.content().collect({apex, outlines_.pyramid(), shown_->plane}, candidates_);
   return builder.append_blockers(blockers_.content(), candidates_);
 }
@@ -203,25 +201,31 @@ void FastVisibility::Work::walk(const Point3& apex) {
 /// With a boundary of the first `pieces`.
 LightSeen FastVisibility::Work::bounded(Region region, double fraction, double bound, std::size_t pieces) {
   const LightPlane& plane = shown_->plane;
-  const Vector& n = plane.normal;
   const std::span<const BoundaryPiece> boundary{boundary_.data(), pieces};
-  return {region, fraction, bound, boundary, {n.x, n.y, n.z, root_of_three * plane.error}};
+  return {region, fraction, bound, boundary, direction_of(plane.normal, plane.error)};
 }
 
 /// The boundary is the light's own.
 LightSeen FastVisibility::Work::wholly_visible() {
   const std::uint32_t count = outlines_.list.front().count;
   if (boundary_.size() < count) boundary_.resize(count);
-  for (std::uint32_t k = 0; k < count; ++k) set_piece(boundary_[k], outlines_, {edge_of(outlines_, 0, k), whole_edge});
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const Edge edge = edge_of(outlines_, 0, k);
+    set_piece(boundary_[k], outlines_, edge, direction_of(outlines_.rays[edge.start]),
+              direction_of(outlines_.rays[edge.end]));
+  }
   return bounded(Region::lit, 1, 0, count);
 }
 
 LightSeen FastVisibility::Work::visible_part() {
   if (boundary_.size() < visible_.size()) boundary_.resize(visible_.size());
-  AreaSum sum(shown_->plane, outlines_);
+  AreaSum sum;
   for (std::size_t i = 0; i < visible_.size(); ++i) {
-    set_piece(boundary_[i], outlines_, visible_[i]);
-    sum.add(visible_[i], boundary_[i]);
+    const auto& [edge, stretch] = visible_[i];
+    const Sighting from = sighting(outlines_, shown_->plane, edge, stretch.from);
+    const Sighting to = sighting(outlines_, shown_->plane, edge, stretch.to);
+    set_piece(boundary_[i], outlines_, edge, from.direction, to.direction);
+    edge.of_light() ? sum.add(from.flat, to.flat) : sum.add(to.flat, from.flat);
   }
   const FlatArea area = sum.total();
   const double whole = light_area_.doubled;

@@ -13,7 +13,7 @@
 namespace gnomon {
 
 /// A direction from the point that looks, of any length.
-/// Exactness: the vector is off by at most `error`, in the Euclidean norm; it may be infinite.
+/// Exactness: the vector is off by at most `error` parts of its length; it may be infinite.
 struct SightDirection {
   double x = 0;
   double y = 0;

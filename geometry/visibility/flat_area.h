@@ -1,6 +1,6 @@
 #pragma once
 
-/// Areas on the light's plane, with bounds. Private to this folder.
+/// Directions in which the boundary is seen and areas on the light's plane, with bounds. Private to this folder.
 
 #include <span>
 
@@ -18,51 +18,56 @@ struct FlatArea {
 /// Of a polygon; `doubled` is correctly rounded and positive.
 FlatArea flat_area(std::span<const Point3> corners, int u, int v);
 
-/// The direction of a ray.
+/// A direction whose coordinates are each off by at most `error`.
+inline SightDirection direction_of(const Vector& v, double error) {
+  return {v.x, v.y, v.z, root_of_three * error / size_of(v)};
+}
+
 inline SightDirection direction_of(const Ray& ray) {
-  return {ray.direction.x, ray.direction.y, ray.direction.z, root_of_three * unit * ray.size};
+  return {ray.direction.x, ray.direction.y, ray.direction.z, unit};
 }
 
-/// The ray of an input point that lies at the station, or Station::none.
-inline std::uint32_t ray_at(const Edge& edge, const Station& station) {
-  return station.kind == Station::Kind::start ? edge.start
-         : station.kind == Station::Kind::end ? edge.end
-                                              : station.vertex;
-}
+/// Where a station of an edge is seen: in which direction, and at which point of the light's plane.
+struct Sighting {
+  SightDirection direction;
+  FlatPoint flat;
+};
 
-/// The direction in which two planes cross: of a.normal x b.normal.
+/// Where two planes cross: the direction of a.normal x b.normal.
 /// Bound. A cross product of normals errs by 4.1 u na nb from rounding and 2 (ea nb + na eb) from its factors.
-inline SightDirection crossing(const Plane& a, const Plane& b) {
+inline Sighting crossing(const LightPlane& light, const Plane& a, const Plane& b) {
   const Vector d = cross(a.normal, b.normal);
   const double error = 4.2 * unit * a.size * b.size + 2.1 * (a.error * b.size + a.size * b.error) + tiny;
-  return {d.x, d.y, d.z, root_of_three * error};
+  const double size = size_of(d);
+  return {{d.x, d.y, d.z, root_of_three * error / size}, meeting_point(light, d, size, error)};
 }
 
-/// The direction in which a station of an edge is seen.
-inline SightDirection direction_of(const Outlines& outlines, const Edge& edge, const Station& station) {
+inline Sighting sighting(const Outlines& outlines, const LightPlane& light, const Edge& edge, const Station& station) {
   const std::uint32_t ray = ray_at(edge, station);
-  if (ray != Station::none) return direction_of(outlines.rays[ray]);
+  if (ray != Station::none) return {direction_of(outlines.rays[ray]), outlines.flats[ray]};
   const Plane& crossed = outlines.planes[station.plane];
   const Plane& own = outlines.planes[edge.plane];
-  return station.rising ? crossing(crossed, own) : crossing(own, crossed);
+  return station.rising ? crossing(light, crossed, own) : crossing(light, own, crossed);
 }
 
-/// Twice the area between the origin and the pieces: the area of a region if the pieces are its boundary.
+/// Twice the area between the origin and pieces from one point to another: the area of a region to their left if the
+/// pieces are its boundary.
 class AreaSum {
  public:
-  AreaSum(const LightPlane& plane, const Outlines& outlines);
-
-  /// Takes in a piece and what was made of it; the region lies left of it.
-  void add(const Piece& piece, const BoundaryPiece& made);
+  /// Bound. With errors e and f of the two points, the product errs by 2 (|p| f + e |q| + e f) and 3 roundings; the sum
+  /// by one rounding of what it is.
+  void add(const FlatPoint& p, const FlatPoint& q) {
+    const double p_size = std::max(std::fabs(p.u), std::fabs(p.v));
+    const double q_size = std::max(std::fabs(q.u), std::fabs(q.v));
+    sum_ += p.u * q.v - p.v * q.u;
+    error_ += 2 * (p_size * q.error + q_size * p.error + p.error * q.error) + 4 * unit * p_size * q_size +
+              unit * std::fabs(sum_) + tiny;
+  }
 
   /// Exactness: the error bound covers all roundings, and is infinite or no number where a bound is out of reach.
   FlatArea total() const { return {sum_, error_ * (1 + 64 * unit)}; }
 
  private:
-  FlatPoint from_origin(const Edge& edge, const Station& station, const SightDirection& direction) const;
-
-  const LightPlane& plane_;
-  const Outlines& outlines_;
   double sum_ = 0;
   double error_ = 0;
 };

@@ -36,7 +36,48 @@ struct FlatBox {
   }
 };
 
-/// Where a ray meets the light's plane, relative to the apex, in the two kept coordinates.
+/// The light's plane in front of the apex: depth grows from 0 at the apex to `height` on the plane.
+struct LightPlane {
+  Vector normal;
+  double size = 0;
+  double error = 0;  ///< of each coordinate of the normal
+  double height = 0;
+  double height_error = 0;
+  double height_doubt = 0;  ///< at least the relative error of the height
+  int u = 0;                ///< the two coordinates that are kept where the plane is looked at as flat
+  int v = 1;
+  double origin_u = 0;  ///< of the flat coordinates, relative to the apex: the point that gave the height
+  double origin_v = 0;
+  double origin_size = 0;  ///< at least their absolute values
+
+  double depth(const Vector& direction) const { return dot(normal, direction); }
+
+  /// At least the error of depth(), for a direction of this size whose coordinates are off by `direction_error`.
+  double depth_error(double direction_size, double direction_error) const {
+    return 3.1 * (size * direction_error + error * direction_size) + 9.5 * unit * size * direction_size + tiny;
+  }
+};
+
+/// The plane through three points; no height.
+LightPlane light_plane(const Point3& a, const Point3& b, const Point3& c);
+
+inline double coordinate(const Vector& a, int axis) {
+  return axis == 0 ? a.x : axis == 1 ? a.y : a.z;
+}
+
+/// Gives the plane its height over the apex, from which `to_plane` leads to a point of it: the origin of flat
+/// coordinates.
+inline void set_height(LightPlane& plane, const Vector& to_plane) {
+  const double size = size_of(to_plane);
+  plane.height = plane.depth(to_plane);
+  plane.height_error = plane.depth_error(size, unit * size);
+  plane.height_doubt = 1.5 * plane.height_error / plane.height;
+  plane.origin_u = coordinate(to_plane, plane.u);
+  plane.origin_v = coordinate(to_plane, plane.v);
+  plane.origin_size = size;
+}
+
+/// A point of the light's plane in the two kept coordinates, relative to a point of the plane.
 /// Exactness: each coordinate is off by at most `error`, which may be infinite, and is no less than the coordinate's
 ///            rounding.
 struct FlatPoint {
@@ -97,42 +138,10 @@ struct Outlines {
   std::span<const Plane> planes_of(const Outline& o) const { return {planes.data() + o.first, o.count}; }
 };
 
-/// The light's plane in front of the apex: depth grows from 0 at the apex to `height` on the plane.
-struct LightPlane {
-  Vector normal;
-  double size = 0;
-  double error = 0;  ///< of each coordinate of the normal
-  double height = 0;
-  double height_error = 0;
-  double height_doubt = 0;  ///< at least the relative error of the height
-  int u = 0;                ///< the two coordinates that are kept where the plane is looked at as flat
-  int v = 1;
-
-  double depth(const Vector& direction) const { return dot(normal, direction); }
-
-  /// At least the error of depth(), for a direction of this size whose coordinates are off by `direction_error`.
-  double depth_error(double direction_size, double direction_error) const {
-    return 3.1 * (size * direction_error + error * direction_size) + 9.5 * unit * size * direction_size + tiny;
-  }
-};
-
-/// The plane through three points; no height.
-LightPlane light_plane(const Point3& a, const Point3& b, const Point3& c);
-
-inline double coordinate(const Vector& a, int axis) {
-  return axis == 0 ? a.x : axis == 1 ? a.y : a.z;
-}
-
-/// Gives the plane its height over the apex, from which `to_plane` leads to it.
-inline void set_height(LightPlane& plane, const Vector& to_plane) {
-  const double size = size_of(to_plane);
-  plane.height = plane.depth(to_plane);
-  plane.height_error = plane.depth_error(size, unit * size);
-  plane.height_doubt = 1.5 * plane.height_error / plane.height;
-}
-
+/// Where a direction meets the light's plane.
 /// Bound. The quotient height / depth has the relative error of both and three roundings; the product with a coordinate
-/// adds one, and the coordinate's own error is scaled along.
+/// adds one, and the coordinate's own error is scaled along. The origin is off by u of its size and the difference by u
+/// of both.
 inline FlatPoint meeting_point(const LightPlane& plane, const Vector& direction, double size, double error) {
   const double depth = plane.depth(direction);
   const double depth_error = plane.depth_error(size, error);
@@ -142,7 +151,18 @@ inline FlatPoint meeting_point(const LightPlane& plane, const Vector& direction,
   const double relative = 1.5 * depth_error * inverse + plane.height_doubt + 6 * unit;
   const double u = scale * coordinate(direction, plane.u);
   const double v = scale * coordinate(direction, plane.v);
-  return {u, v, 1.01 * relative * std::max(std::fabs(u), std::fabs(v)) + 2 * scale * error};
+  const double error_from_apex =
+      (relative + unit) * std::max(std::fabs(u), std::fabs(v)) + 2 * unit * plane.origin_size;
+  return {u - plane.origin_u, v - plane.origin_v, 1.01 * error_from_apex + 2 * scale * error};
 }
+
+/// An area light as one side shows it: counterclockwise as seen from the other, the plane's normal towards that.
+struct LightSide {
+  std::vector<Point3> corners;
+  std::vector<std::uint32_t> names;  ///< of the edges that start at the corners
+  std::vector<FlatPoint> flats;      ///< of the corners, relative to the first
+  FlatBox box;                       ///< of the flats
+  LightPlane plane;                  ///< with its height over the apex of the question
+};
 
 }  // namespace gnomon::sight

@@ -39,18 +39,17 @@ std::vector<SilhouetteEdge> silhouette(const Point3& apex, const ConvexSolid& so
 
 }  // namespace
 
-OutlineBuilder::OutlineBuilder(const Point3& apex, std::span<const Point3> light_corners,
-                               std::span<const std::uint32_t> names, const LightPlane& plane, Outlines& outlines)
+OutlineBuilder::OutlineBuilder(const Point3& apex, const LightSide& light, Outlines& outlines)
     : apex_(apex),
       extent_(Extent::area),
-      light_corners_(light_corners),
-      depth_corners_(light_corners),
-      plane_(plane),
+      light_corners_(light.corners),
+      depth_corners_(light.corners),
+      plane_(light.plane),
       outlines_(outlines) {
   outlines_.clear();
-  append_rays(light_corners);
-  append_planes(names, false);
-  append_light();
+  append_rays(light_corners_);
+  append_planes(light.names, false);
+  append_light(light.flats, light.box);
 }
 
 /// The outline has two rays and the plane through both, one way and the other. The pyramid's other sides stand upright
@@ -67,10 +66,10 @@ OutlineBuilder::OutlineBuilder(const Point3& apex, std::span<const Point3, 3> en
   outlines_.clear();
   append_rays(light_corners_);
   append_planes(names, false);
-  const Ray beside = ray_through(apex, ends[2]);
-  outlines_.sides = {outlines_.planes[0], outlines_.planes[1], plane_through(beside, outlines_.rays[0], 0),
-                     plane_through(outlines_.rays[1], beside, 0)};
-  append_light();
+  const Ray beside(apex, ends[2]);
+  outlines_.sides = {outlines_.planes[0], outlines_.planes[1], Plane(beside, outlines_.rays[0], 0),
+                     Plane(outlines_.rays[1], beside, 0)};
+  append_light({}, {});
 }
 
 Seen OutlineBuilder::look_at(const BlockerSet::Content& blockers, std::uint32_t blocker) {
@@ -93,7 +92,7 @@ Gathered OutlineBuilder::append_blockers(const BlockerSet::Content& blockers,
 
 void OutlineBuilder::append_rays(std::span<const Point3> corners) {
   first_ = static_cast<std::uint32_t>(outlines_.rays.size());
-  for (const Point3& corner : corners) set_ray(outlines_.rays.emplace_back(), apex_, corner);
+  for (const Point3& corner : corners) outlines_.rays.emplace_back(apex_, corner);
 }
 
 /// Reversed, ray k is corner count - 1 - k; the edge to ray k + 1 is the one that ends there in the order given.
@@ -103,7 +102,7 @@ void OutlineBuilder::append_planes(std::span<const std::uint32_t> names, bool re
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t next = k + 1 == count ? 0 : k + 1;
     const std::size_t original = !reversed ? k : next == 0 ? count - 1 : count - 1 - next;
-    set_plane(outlines_.planes.emplace_back(), rays[k], rays[next], names[original]);
+    outlines_.planes.emplace_back(rays[k], rays[next], names[original]);
   }
 }
 
@@ -120,23 +119,16 @@ void OutlineBuilder::reverse_rays() {
 /// edge-on.
 int OutlineBuilder::append_counterclockwise(std::span<const std::uint32_t> names) {
   const Ray* rays = outlines_.rays.data() + first_;
-  const int turn = side(apex_, plane_through(rays[0], rays[1], 0), rays[2]);
+  const int turn = side(apex_, Plane(rays[0], rays[1], 0), rays[2]);
   if (turn < 0) reverse_rays();
   if (turn != 0) append_planes(names, turn < 0);
   return turn;
 }
 
-/// Closes the light's outline. Its corners lie on the light's plane: there is nothing to intersect.
-void OutlineBuilder::append_light() {
-  Outline outline;
-  outline.count = static_cast<std::uint32_t>(outlines_.rays.size());
-  for (const Ray& ray : outlines_.rays) {
-    const double u = coordinate(ray.direction, plane_.u);
-    const double v = coordinate(ray.direction, plane_.v);
-    outlines_.flats.push_back({u, v, unit * ray.size});
-    outline.box.include(outlines_.flats.back().box());
-  }
-  outlines_.list.push_back(outline);
+/// Closes the light's outline.
+void OutlineBuilder::append_light(std::span<const FlatPoint> flats, const FlatBox& box) {
+  outlines_.flats.assign(flats.begin(), flats.end());
+  outlines_.list.push_back({0, static_cast<std::uint32_t>(outlines_.rays.size()), 0, box});
 }
 
 Seen OutlineBuilder::dropped() {
@@ -155,13 +147,15 @@ bool OutlineBuilder::certainly_outside() {
     outlines_.at_pyramid.resize(2 * pyramid.size() * outlines_.rays.size());
   }
   std::int8_t* row = outlines_.at_pyramid.data() + pyramid.size() * first_;
+  sides_are_exact_ = true;
   for (const Plane& plane : pyramid) {
-    bool outside = true;
+    int most = -1;
     for (std::size_t k = 0; k < count; ++k) {
       row[k] = certain_side(plane, rays[k]);
-      outside = outside && row[k] == -1;
+      most = std::max<int>(most, row[k]);
     }
-    if (outside) return true;
+    if (most == -1) return true;
+    sides_are_exact_ = sides_are_exact_ && most != uncertain;
     row += count;
   }
   return false;
@@ -267,7 +261,7 @@ Seen OutlineBuilder::finished(std::uint32_t element) {
     if (apart && !along) return dropped();
   }
   if (covers) return Seen::covers;
-  make_sides_exact(outline);
+  if (!sides_are_exact_) make_sides_exact(outline);
   outlines_.flats.resize(first_);
   for (const Ray& ray : outlines_.rays_of(outline)) {
     outlines_.flats.push_back(meeting_point(plane_, ray.direction, ray.size, unit * ray.size));
@@ -351,13 +345,13 @@ Seen OutlineBuilder::append_solid(const ConvexSolid& solid, std::uint32_t elemen
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const SilhouetteEdge& before = edges[k == 0 ? edges.size() - 1 : k - 1];
     if (exact_orientation(apex_, points[before.from], points[edges[k].from], points[edges[k].to]) == 0) continue;
-    outlines_.rays.push_back(ray_through(apex_, points[edges[k].from]));
+    outlines_.rays.emplace_back(apex_, points[edges[k].from]);
     names.push_back(edges[k].name);
   }
   if (certainly_outside() || certainly_behind_apex()) return dropped();
   // What bulges between the silhouette and the apex, or away from it, may lie on the light's other side.
   std::vector<Ray> corners;
-  for (const std::uint32_t i : solid.corners()) corners.push_back(ray_through(apex_, points[i]));
+  for (const std::uint32_t i : solid.corners()) corners.emplace_back(apex_, points[i]);
   const Depth depth = depth_of(corners);
   if (depth == Depth::behind) return dropped();
   append_counterclockwise(names);

@@ -30,10 +30,8 @@ enum class Gathered {
 /// and the point may hide a part of it.
 class OutlineBuilder {
  public:
-  /// For an area light. Keeps a reference to the plane, as below.
-  /// Requires: the corners run counterclockwise.
-  OutlineBuilder(const Point3& apex, std::span<const Point3> light_corners, std::span<const std::uint32_t> names,
-                 const LightPlane& plane, Outlines& outlines);
+  /// For an area light, the side that it shows to the apex. Keeps a reference to the plane, as below.
+  OutlineBuilder(const Point3& apex, const LightSide& light, Outlines& outlines);
 
   /// For a linear light: `ends` are its start, its end and a point off the plane through both and the apex, so that
   /// all three span a plane to measure depth by.
@@ -65,7 +63,7 @@ class OutlineBuilder {
   bool certainly_behind_apex() const;
   Depth depth_of(std::span<const Ray> rays) const;
   int append_counterclockwise(std::span<const std::uint32_t> names);
-  void append_light();
+  void append_light(std::span<const FlatPoint> flats, const FlatBox& box);
   Seen look_at(const BlockerSet::Content& blockers, std::uint32_t blocker);
   bool runs_along_light(std::span<const Ray> rays) const;
   bool hides_edge_on(std::span<const Point3> corners) const;
@@ -80,7 +78,8 @@ class OutlineBuilder {
   std::span<const Point3> depth_corners_;  ///< three of the light's plane
   const LightPlane& plane_;
   Outlines& outlines_;
-  std::uint32_t first_ = 0;  ///< of the outline being built
+  std::uint32_t first_ = 0;      ///< of the outline being built
+  bool sides_are_exact_ = true;  ///< of its rays, at the pyramid
 };
 
 }  // namespace gnomon::sight

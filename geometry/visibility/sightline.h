@@ -54,6 +54,10 @@ inline double size_of(const Vector& a) {
 /// The ray from the apex through an input point.
 /// Exactness: each coordinate of `direction` is off by at most u times itself.
 struct Ray {
+  Ray() = default;
+  Ray(const Point3& apex, const Point3& through)
+      : direction(through - apex), size(size_of(direction)), point(&through) {}
+
   Vector direction;
   double size = 0;  ///< largest absolute coordinate
   const Point3* point = nullptr;
@@ -66,6 +70,10 @@ struct Ray {
 ///            factors and product, their difference one more: at most 8.5 u |from - apex| |to - from| in all, in the
 ///            maximum norm.
 struct Plane {
+  Plane() = default;
+  Plane(const Ray& start, const Ray& end, std::uint32_t edge_name)
+      : Plane(start, end, *end.point - *start.point, edge_name) {}
+
   Vector normal;
   double size = 0;        ///< at least the largest absolute coordinate of the exact normal
   double error = 0;       ///< at least the error of each coordinate
@@ -73,40 +81,20 @@ struct Plane {
   const Point3* from = nullptr;
   const Point3* to = nullptr;
   std::uint32_t name = 0;  ///< index of the edge in its element
+
+ private:
+  /// Bound. With an error of e per coordinate of the normal, dot() errs by 3 e s from the normal, by u from the ray's
+  /// coordinates and 3 u from rounding, each times three products of at most n s.
+  Plane(const Ray& start, const Ray& end, const Vector& edge, std::uint32_t edge_name)
+      : normal(cross(start.direction, edge)),
+        error(8.6 * unit * start.size * size_of(edge) + tiny),
+        from(start.point),
+        to(end.point),
+        name(edge_name) {
+    size = size_of(normal) + error;
+    side_bound = 3.1 * error + 12.5 * unit * size;
+  }
 };
-
-inline void set_ray(Ray& ray, const Point3& apex, const Point3& point) {
-  ray.direction = point - apex;
-  ray.size = size_of(ray.direction);
-  ray.point = &point;
-}
-
-inline Ray ray_through(const Point3& apex, const Point3& point) {
-  Ray ray;
-  set_ray(ray, apex, point);
-  return ray;
-}
-
-/// Bound. With an error of e per coordinate of the normal, dot() errs by 3 e s from the normal, by u from the ray's
-/// coordinates and 3 u from rounding, each times three products of at most n s.
-///
-/// The plane is made in its place: copied, it would be read before its parts are written.
-inline void set_plane(Plane& plane, const Ray& from, const Ray& to, std::uint32_t name) {
-  const Vector edge = *to.point - *from.point;
-  plane.normal = cross(from.direction, edge);
-  plane.error = 8.6 * unit * from.size * size_of(edge) + tiny;
-  plane.size = size_of(plane.normal) + plane.error;
-  plane.side_bound = 3.1 * plane.error + 12.5 * unit * plane.size;
-  plane.from = from.point;
-  plane.to = to.point;
-  plane.name = name;
-}
-
-inline Plane plane_through(const Ray& from, const Ray& to, std::uint32_t name) {
-  Plane plane;
-  set_plane(plane, from, to, name);
-  return plane;
-}
 
 /// The sign that doubles cannot certify: of |from - apex, to - apex, point - apex|.
 int exact_side(const Point3& apex, const Plane& plane, const Ray& ray);

@@ -1,6 +1,7 @@
 #include "tests/geometry/visibility/splitting_oracle.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace gnomon::testing {
@@ -90,6 +91,31 @@ void take_away(std::vector<Polygon>& pieces, const std::vector<ExactPlane>& half
   pieces = std::move(left);
 }
 
+/// The planes of the facets through the point, positive sides inside; nothing if the point lies outside the solid.
+std::optional<std::vector<ExactPlane>> facets_around(const ConvexBlocker& blocker, const ExactVector& point) {
+  if (!std::holds_alternative<ConvexSolid>(blocker)) return std::nullopt;
+  std::vector<ExactPlane> around;
+  for (const Polygon& facet : flat_parts(blocker)) {
+    const ExactPlane inwards = laws::plane_of(facet).reversed();
+    if (inwards.side(point) < 0) return std::nullopt;
+    if (inwards.side(point) == 0) around.push_back(inwards);
+  }
+  return around;
+}
+
+/// From in or on a solid a segment meets it at once if it starts into its interior; what runs along a facet has no
+/// area.
+void take_away_blocker(std::vector<Polygon>& pieces, const ConvexBlocker& blocker, const ExactVector& point) {
+  const auto around = facets_around(blocker, point);
+  if (!around) {
+    for (const Polygon& part : flat_parts(blocker)) take_away(pieces, hiding_half_spaces(part, point));
+  } else if (around->empty()) {
+    pieces.clear();
+  } else {
+    take_away(pieces, *around);
+  }
+}
+
 }  // namespace
 
 SplitView split_view(const AreaLight& light, std::span<const ConvexBlocker> blockers, const Point3& point) {
@@ -98,9 +124,7 @@ SplitView split_view(const AreaLight& light, std::span<const ConvexBlocker> bloc
   const int front = laws::plane_of(whole).side(p);
   if (front == 0 || (front < 0 && !light.two_sided)) return {Region::unlit, 0, {}};
   std::vector<Polygon> pieces = {whole};
-  for (const ConvexBlocker& blocker : blockers) {
-    for (const Polygon& part : flat_parts(blocker)) take_away(pieces, hiding_half_spaces(part, p));
-  }
+  for (const ConvexBlocker& blocker : blockers) take_away_blocker(pieces, blocker, p);
   Rational seen = 0;
   for (const Polygon& piece : pieces) seen += area(piece);
   const Rational fraction = seen / area(whole);

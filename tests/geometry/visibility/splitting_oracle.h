@@ -20,7 +20,7 @@ struct SplitView {
   std::vector<std::vector<laws::ExactVector>> visible;  ///< convex pieces of positive area, each in either order
 };
 
-/// Requires: a flat light; the point outside every solid.
+/// Requires: a flat light.
 SplitView split_view(const AreaLight& light, std::span<const ConvexBlocker> blockers, const Point3& point);
 
 }  // namespace gnomon::testing
