@@ -62,7 +62,7 @@ std::optional<double> seconds_for_relative_error(std::span<const Measurement> me
   like.size = size;
   const std::vector<Measurement> sampled = of_method(measurements, like, method);
   if (sampled.size() < 2) return std::nullopt;
-  const auto error = [&](std::size_t k) { return sampled[k].errors.rms / sampled[k].errors.mean; };
+  const auto error = [&](std::size_t k) { return sampled[k].errors.relative_rms; };
   std::size_t k = 1;
   while (k + 1 < sampled.size() && error(k) > relative) ++k;
   const double share = std::log(relative / error(k - 1)) / std::log(error(k) / error(k - 1));

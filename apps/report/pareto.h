@@ -27,8 +27,8 @@ struct Equivalent {
 /// After: [P93] Table I.
 std::vector<Equivalent> equivalents(std::span<const Measurement> measurements);
 
-/// The time that a sampling method takes for a root mean square error of that share of the mean value, from those
-/// measured, on logarithmic scales. Nothing if it was not measured twice.
+/// The time that a sampling method takes for relative errors of that root mean square, from those measured, on
+/// logarithmic scales. Nothing if it was not measured twice.
 std::optional<double> seconds_for_relative_error(std::span<const Measurement> measurements, const std::string& task,
                                                  const std::string& method, std::size_t size, double relative);
 

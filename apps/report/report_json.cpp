@@ -26,6 +26,7 @@ ordered_json entry(const Measurement& m) {
   result["bytes"] = m.bytes;
   result["results"] = m.errors.results;
   result["rms"] = m.errors.rms;
+  result["relative_rms"] = m.errors.relative_rms;
   result["max"] = m.errors.most;
   result["mean"] = m.errors.mean;
   if (m.errors.bound) {

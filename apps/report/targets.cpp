@@ -34,14 +34,14 @@ void add_times(Findings& all, const Report& report) {
   }
 }
 
-/// How many times faster than stratified sampling at a relative error of 1e-3.
+/// How many times faster than stratified sampling at relative errors of 1e-3, in the root mean square.
 void add_speedups(Findings& all, const Report& report) {
   for (const auto& [n, wanted] : {std::pair<std::size_t, double>{1, 200}, {64, 30}, {1024, 25}}) {
     const Measurement* gnomon = measurement(report, "irradiance", "gnomon", n);
     const auto sampling = seconds_for_relative_error(report.measurements, "irradiance", "embree_stratified", n, 1e-3);
     const double found = gnomon == nullptr || !sampling ? 0 : *sampling / gnomon->seconds.median;
     all.push_back(
-        {"faster than Embree's stratified samples at an error of 1e-3 of the mean, " + counted_text(n, "triangle"),
+        {"faster than Embree's stratified samples at a relative RMS error of 1e-3, " + counted_text(n, "triangle"),
          "at least " + short_text(wanted) + " times", found == 0 ? "" : short_text(found) + " times", found >= wanted,
          false, "./bootstrap bench visibility"});
   }

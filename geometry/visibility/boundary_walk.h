@@ -64,13 +64,16 @@ enum class Alongside { nothing, same_side, other_side, either_side };
 /// Exactness: every order and every side is exact; doubles decide where their bound allows, exact arithmetic elsewhere.
 class BoundaryWalk {
  public:
-  BoundaryWalk(const Point3& apex, const Outlines& outlines) : apex_(apex), outlines_(outlines) {}
+  /// The memory is used as the walk needs it; its content is of no use to others.
+  BoundaryWalk(const Point3& apex, const Outlines& outlines, std::vector<std::int8_t>& memory)
+      : apex_(apex), outlines_(outlines), sides_(memory) {}
 
   /// The part of the edge inside the outline; true if it has positive length.
   /// Degenerate: where an edge of the outline runs along, `alongside` says on which side of it the outline must lie.
   bool stretch_inside(const Edge& edge, std::uint32_t outline, Alongside alongside, Stretch& result);
 
   /// Appends the parts of `whole` that none of the covers holds, in order; `covers` is sorted.
+  /// Requires: `whole` has a positive length.
   /// Returns: true if there was one.
   bool append_uncovered(const Piece& whole, std::vector<Stretch>& covers, std::vector<Piece>& pieces) const;
 
@@ -89,7 +92,88 @@ class BoundaryWalk {
 
   Point3 apex_;
   const Outlines& outlines_;
-  std::vector<std::int8_t> sides_;  ///< of the outline's rays at the edge's plane
+  std::vector<std::int8_t>& sides_;  ///< of the outline's rays at the edge's plane
 };
+
+inline Station station_at(std::uint32_t plane, bool rising, std::uint32_t vertex = Station::none) {
+  return {Station::Kind::inner, rising, plane, vertex};
+}
+
+inline int risen(const Station& station, int sign) {
+  return station.rising ? sign : -sign;
+}
+
+/// On which side of the edge's plane each ray of the outline runs.
+inline const std::int8_t* BoundaryWalk::sides_at(const Edge& edge, std::uint32_t outline) {
+  if (outline == 0) return outlines_.sides_of_light(edge.plane);
+  const Outline& o = outlines_.list[outline];
+  if (edge.of_light()) return outlines_.sides_at_pyramid(o, edge.plane);
+  sides_.resize(o.count);
+  for (std::uint32_t k = 0; k < o.count; ++k) sides_[k] = static_cast<std::int8_t>(side_at(edge.plane, o.first + k));
+  return sides_.data();
+}
+
+/// Walking with the outline counterclockwise, one comes in where the outline's rays pass from left to right, and goes
+/// out where they pass from right to left. A ray in the edge's plane belongs to the side of the ray before.
+inline bool BoundaryWalk::chord(const Edge& edge, std::uint32_t outline, Alongside alongside, Stretch& result) {
+  const Outline& o = outlines_.list[outline];
+  const std::int8_t* sides = sides_at(edge, outline);
+  bool crosses = false;
+  int last = sides[o.count - 1];
+  int passed = last == 0 ? sides[o.count - 2] : last;
+  std::uint32_t k = o.count - 1;
+  for (std::uint32_t next = 0; next < o.count; ++next) {
+    const int now = sides[next];
+    if (passed * now < 0) {
+      crosses = true;
+      (passed > 0 ? result.from : result.to) =
+          station_at(o.first + k, passed > 0, last == 0 ? o.first + k : Station::none);
+    }
+    passed = now == 0 ? last : now;
+    last = now;
+    k = next;
+  }
+  return crosses || (alongside != Alongside::nothing && alongside_chord(o, sides, alongside, result));
+}
+
+/// On which side of a plane of the outline an end of the edge lies.
+inline int BoundaryWalk::side_of_end(std::uint32_t outline, std::uint32_t plane, const Edge& edge,
+                                     std::uint32_t ray) const {
+  if (edge.of_light()) return outlines_.sides_of_light(plane)[ray];
+  const Outline& o = outlines_.list[edge.outline];
+  return outline == 0 ? outlines_.sides_at_pyramid(o, plane)[ray - o.first] : side_at(plane, ray);
+}
+
+/// In the edge's plane the outline is the sector, of less than half a turn, from the ray on its first plane to the ray
+/// on its last; the edge is another. Half a turn on, each plane's line is crossed the other way: such a crossing bounds
+/// nothing, but the edge's end before it (or after it) must then lie in the sector.
+inline bool BoundaryWalk::clamp(const Edge& edge, std::uint32_t outline, Stretch& chord) const {
+  const int first_at_end = side_of_end(outline, chord.from.plane, edge, edge.end);
+  const int last_at_start = side_of_end(outline, chord.to.plane, edge, edge.start);
+  if (first_at_end <= 0 && last_at_start <= 0) return false;
+  const int first_at_start = side_of_end(outline, chord.from.plane, edge, edge.start);
+  const int last_at_end = side_of_end(outline, chord.to.plane, edge, edge.end);
+  if (first_at_end <= 0 && first_at_start <= 0) return false;
+  if (last_at_start <= 0 && last_at_end <= 0) return false;
+  if (first_at_start >= 0) chord.from = {Station::Kind::start};
+  if (last_at_end >= 0) chord.to = {Station::Kind::end};
+  return true;
+}
+
+inline bool BoundaryWalk::stretch_inside(const Edge& edge, std::uint32_t outline, Alongside alongside,
+                                         Stretch& result) {
+  return chord(edge, outline, alongside, result) && clamp(edge, outline, result);
+}
+
+/// The ray on which the edge crosses plane a is a.normal x edge.normal if the plane is rising, and the opposite if not;
+/// the sign of its product with b.normal tells on which side of b it is.
+inline int BoundaryWalk::order(const Edge& edge, const Station& a, const Station& b) const {
+  if (a.kind != b.kind) return a.kind < b.kind ? -1 : 1;
+  if (a.kind != Station::Kind::inner || a.plane == b.plane) return 0;
+  if (a.vertex != Station::none) return risen(b, side_at(b.plane, a.vertex));
+  if (b.vertex != Station::none) return -risen(a, side_at(a.plane, b.vertex));
+  const std::vector<Plane>& planes = outlines_.planes;
+  return risen(b, risen(a, triple(apex_, planes[a.plane], planes[edge.plane], planes[b.plane])));
+}
 
 }  // namespace gnomon::sight

@@ -36,6 +36,7 @@ class FastLinearVisibility::Work {
   LightPlane plane_;
   Outlines outlines_;
   std::vector<std::uint32_t> candidates_;
+  std::vector<std::int8_t> sides_;
   std::vector<Stretch> covers_;
   std::vector<Piece> visible_;
   std::vector<VisibleStretch> stretches_;
@@ -91,7 +92,7 @@ LinearLightSeen FastLinearVisibility::Work::penumbra(const Edge& edge) {
 
 /// The light is one edge, and every outline that touches its plane along a length covers a part of it.
 LinearLightSeen FastLinearVisibility::Work::walk(const Point3& apex) {
-  BoundaryWalk walk(apex, outlines_);
+  BoundaryWalk walk(apex, outlines_, sides_);
   const Edge edge = edge_of(outlines_, 0, 0);
   const Piece whole{edge, {{Station::Kind::start}, {Station::Kind::end}}};
   covers_.clear();

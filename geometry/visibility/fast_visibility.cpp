@@ -48,6 +48,7 @@ class FastVisibility::Work {
   std::vector<Piece> inside_;   ///< of the blockers' edges, inside the light
   std::vector<Piece> visible_;  ///< what is not covered of those and of the light's edges
   std::vector<std::uint32_t> neighbours_;
+  std::vector<std::int8_t> sides_;
   std::vector<Stretch> covers_;
   std::vector<BoundaryPiece> boundary_;  ///< never shorter than before: only its beginning counts
 };
@@ -185,7 +186,7 @@ void FastVisibility::Work::append_visible(BoundaryWalk& walk, const Piece& piece
 void FastVisibility::Work::walk(const Point3& apex) {
   inside_.clear();
   visible_.clear();
-  BoundaryWalk walk(apex, outlines_);
+  BoundaryWalk walk(apex, outlines_, sides_);
   for (std::uint32_t i = 1; i < outlines_.list.size(); ++i) append_stretches_inside(walk, i);
   find_neighbours(0);
   const std::uint32_t light_edges = outlines_.list.front().count;

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "apps/report/embree_sight.h"
+#include "apps/report/measurement.h"
 #include "apps/report/triangle_scenes.h"
 #include "geometry/visibility/fast_visibility.h"
 #include "shading/lambert.h"
@@ -15,7 +15,8 @@
 #include "tests/benchmarks/ratios.h"
 
 // What a point sees of a square light behind n triangles: region, visible fraction and irradiance, the numbers with
-// their bounds; and the irradiance alone by shadow rays, as many as a root mean square error of 1e-3 takes.
+// their bounds; and the irradiance alone by shadow rays, as many as relative errors of 1e-3 take in the root mean
+// square.
 namespace gnomon::benchmarks {
 namespace {
 
@@ -67,41 +68,46 @@ struct Sampled {
   explicit Sampled(report::TriangleScene drawn)
       : looked(std::move(drawn)), expected(irradiances(looked)), sight(looked.scene.light, looked.scene.blockers) {}
 
-  /// The error at each point, squared and added up.
-  double squared_error() {
-    double squares = 0;
-    for (std::size_t i = 0; i < expected.size(); ++i) {
-      const double error = sight.seen_from(looked.scene.points[i], up).irradiance - expected[i];
-      squares += error * error;
-    }
-    return squares;
-  }
-
   Looked looked;
   std::vector<double> expected;
   report::EmbreeSight sight;
 };
 
-/// The least k of 4, 6, 8, 12, 16, ... whose root mean square error over all points is at most `relative` of the mean.
-std::size_t cells_for_error(std::vector<Sampled>& all, double relative) {
-  for (std::size_t k = 4;; k = k % 3 == 0 ? k / 3 * 4 : k / 2 * 3) {
-    double squares = 0;
-    double sum = 0;
-    double count = 0;
-    for (Sampled& one : all) {
-      one.sight.place(report::Placing::stratified, k);
-      squares += one.squared_error();
-      sum = std::accumulate(one.expected.begin(), one.expected.end(), sum);
-      count += static_cast<double>(one.expected.size());
+/// Of k * k stratified samples, at all points of the scenes together.
+report::Errors sampling_errors(std::vector<Sampled>& all, std::size_t k) {
+  report::Errors errors;
+  for (Sampled& one : all) {
+    one.sight.place(report::Placing::stratified, k);
+    for (std::size_t i = 0; i < one.expected.size(); ++i) {
+      const double found = one.sight.seen_from(one.looked.scene.points[i], up).irradiance;
+      errors.add(std::fabs(found - one.expected[i]), one.expected[i]);
     }
-    if (std::sqrt(squares / count) <= relative * sum / count || k > 1000) return k;
   }
+  errors.finish();
+  return errors;
 }
 
+/// The least k, by bisection, for which an error is at most 1e-3.
+std::size_t cells_for(std::vector<Sampled>& all, double (*error)(const report::Errors&)) {
+  const auto enough = [&](std::size_t k) { return error(sampling_errors(all, k)) <= 1e-3; };
+  std::size_t most = 4;
+  while (!enough(most) && most < 1024) most *= 2;
+  std::size_t least = most / 2;
+  while (most - least > 1) {
+    const std::size_t middle = (least + most) / 2;
+    (enough(middle) ? most : least) = middle;
+  }
+  return most;
+}
+
+/// With as many rays as relative errors of 1e-3 take, in the root mean square. The counters tell how many, and how many
+/// it takes for errors of 1e-3 of the mean irradiance: fewer where most points see the whole light.
 void visibility_embree(benchmark::State& state) {
   std::vector<Sampled> all;
   for (report::TriangleScene& scene : report::triangle_scenes(blockers(state))) all.emplace_back(std::move(scene));
-  const std::size_t k = cells_for_error(all, 1e-3);
+  const std::size_t of_mean = cells_for(all, [](const report::Errors& e) { return e.rms / e.mean; });
+  const std::size_t k = cells_for(all, [](const report::Errors& e) { return e.relative_rms; });
+  for (Sampled& one : all) one.sight.place(report::Placing::stratified, k);
   std::size_t next = 0;
   for (auto unused : state) {
     Sampled& one = all[next % all.size()];
@@ -109,6 +115,7 @@ void visibility_embree(benchmark::State& state) {
     ++next;
   }
   state.counters["rays"] = static_cast<double>(k * k);
+  state.counters["rays_for_1e-3_of_mean"] = static_cast<double>(of_mean * of_mean);
 }
 
 /// The light is known to be wholly visible: the sum over its four edges, with its bound.

@@ -82,7 +82,7 @@ Measurement measurement(const std::string& method, std::size_t samples, double s
   m.samples = samples;
   m.seconds = {seconds, seconds, seconds};
   m.errors.rms = rms;
-  m.errors.mean = 1;
+  m.errors.relative_rms = rms;
   return m;
 }
 
