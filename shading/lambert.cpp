@@ -15,6 +15,7 @@ using shading::cross;
 using shading::dot;
 using shading::length;
 using shading::length_above;
+using shading::of_size_one;
 using shading::Pair;
 using shading::square_root;
 using shading::twice;
@@ -33,15 +34,6 @@ bool is_tame(double squared) {
   return squared > least_tame && squared < most_tame;
 }
 
-/// The direction with a largest coordinate from 1 to 2, exactly but for what underflows beside that; as it is if it has
-/// no length or none that is finite.
-SightDirection of_size_one(const SightDirection& d) {
-  const double size = std::fmax(std::fmax(std::fabs(d.x), std::fabs(d.y)), std::fabs(d.z));
-  if (!(size > 0 && size < HUGE_VAL)) return d;
-  const int less = -std::ilogb(size);
-  return {std::scalbn(d.x, less), std::scalbn(d.y, less), std::scalbn(d.z, less), d.error};
-}
-
 /// The receiver, and the direction along which what is below its horizon is moved up to it.
 struct Horizon {
   Vector normal;    ///< of unit length up to roundings
@@ -56,13 +48,13 @@ struct Horizon {
 /// a plane, in which angles are unique.
 Horizon horizon(const Point3& normal, const SightDirection& forward) {
   Vector n{normal.x, normal.y, normal.z};
-  if (!is_tame(dot(n, n))) n = vector(of_size_one({n.x, n.y, n.z}));
+  if (!is_tame(dot(n, n))) n = of_size_one(n);
   if (!is_tame(dot(n, n))) throw PreconditionError("the receiver's normal has no direction");
   Horizon result;
   result.normal = (1 / length(n)) * n;
   result.lift = result.normal;
   if (dot(result.normal, vector(forward)) < 0) {
-    const Vector f = vector(of_size_one(forward));
+    const Vector f = of_size_one(vector(forward));
     result.lift = result.normal + (-dot(result.normal, f) / dot(f, f)) * f;
     result.rise = dot(result.normal, result.lift);
     result.tilt = result.rise > 0 ? length_above(result.lift) / result.rise : HUGE_VAL;
@@ -130,7 +122,7 @@ inline void ArcSum::add_arc(const Ends& e, const SightDirection& normal) {
 /// Bound. The angle is off by what its ends are and 20 u, the piece's unit normal by its own error and 8 u; the cosine
 /// is at most 1 and the angle at most pi.
 void ArcSum::add_wide_arc(const Ends& e, const SightDirection& normal) {
-  const Vector n = vector(of_size_one(normal));
+  const Vector n = of_size_one(vector(normal));
   const double n_length = length(n);
   const double angle = std::atan2(length(cross(e.a, e.b)), dot(e.a, e.b));
   const double normal_error = 1.1 * normal.error + 8 * unit;
@@ -177,7 +169,9 @@ void ArcSum::add(const BoundaryPiece& piece) {
   if (is_tame(squared_length(piece.start)) && is_tame(squared_length(piece.end))) {
     return add(ends(piece.start, piece.end), piece.normal);
   }
-  add(ends(of_size_one(piece.start), of_size_one(piece.end)), piece.normal);
+  const Vector a = of_size_one(vector(piece.start));
+  const Vector b = of_size_one(vector(piece.end));
+  add(ends(a, b, piece.start.error + piece.end.error), piece.normal);
 }
 
 /// What add_arc() does, for two pieces at once; false if one of them is not of the common kind.

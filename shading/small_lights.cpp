@@ -1,6 +1,8 @@
 #include "shading/small_lights.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "geometry/rounding.h"
@@ -12,8 +14,11 @@ namespace {
 
 using shading::cross;
 using shading::dot;
+using shading::exponent;
 using shading::length;
 using shading::length_above;
+using shading::of_size_one;
+using shading::scaled;
 using shading::Vector;
 
 constexpr double unit = 0x1p-53;
@@ -23,11 +28,30 @@ Vector rounded(const ExactVector& v) {
   return {nearest_double(v.x), nearest_double(v.y), nearest_double(v.z)};
 }
 
-Vector rounded(const Point3& p) {
-  return {p.x, p.y, p.z};
+/// The direction with coordinates of a size that can be multiplied.
+Vector direction(const Point3& p) {
+  return of_size_one({p.x, p.y, p.z});
 }
 
-/// The nearest doubles again.
+/// The binary exponent of the largest coordinate, which is a difference of doubles.
+int exponent(const ExactVector& v) {
+  if (is_zero(v)) return std::numeric_limits<double>::min_exponent - std::numeric_limits<double>::digits;
+  const Vector nearest = rounded(v);
+  return length_above(nearest) < HUGE_VAL ? exponent(nearest) : std::numeric_limits<double>::max_exponent;
+}
+
+Rational power_of_two(int exponent) {
+  const int half = exponent / 2;
+  return Rational(std::scalbn(1.0, half)) * Rational(std::scalbn(1.0, exponent - half));
+}
+
+/// What was found with all lengths divided by 2^exponent, where the irradiance falls with that power of distance.
+Irradiance in_true_size(const Irradiance& e, int exponent, int power) {
+  const double least = std::numeric_limits<double>::denorm_min();
+  return {std::scalbn(e.value, -power * exponent), std::scalbn(e.error_bound, -power * exponent) + least};
+}
+
+/// The nearest doubles again; infinite where the difference is.
 Vector difference(const Point3& a, const Point3& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
@@ -83,13 +107,17 @@ struct Crosswise {
   double error = 0;     ///< relative
 };
 
-/// Bound. The cross product of an end and the light's direction errs by 8 u |a| |d|, which n and h pass on.
+/// Bound. The cross product of an end and the light's direction errs by 8 u |a| |d|, which n and h pass on. It is that
+/// of vectors of size one: where these are so nearly parallel that squares underflow, nothing is left of the bound.
 Crosswise crosswise(const Vector& start, const Vector& along, const Vector& normal) {
-  const Vector axis = cross(start, along);
+  const Vector a = of_size_one(start);
+  const Vector d = of_size_one(along);
+  const Vector axis = cross(a, d);
   const double axis_length = length(axis);
-  const double along_length = length(along);
-  return {along, 1 / (axis_length * length(normal)) * cross(axis, normal), axis_length / along_length,
-          1.01 * 8 * unit * length(start) * along_length / axis_length + 16 * unit};
+  const double d_length = length(d);
+  return {along, 1 / (axis_length * length(normal)) * cross(axis, normal),
+          std::scalbn(axis_length / d_length, exponent(start)),
+          1.01 * 8 * unit * length(a) * d_length / axis_length + 16 * unit};
 }
 
 /// An end of a stretch, relative to the point, and how far it may be off.
@@ -151,35 +179,44 @@ Irradiance above_horizon(End from, End to, const Crosswise& light, const Vector&
 
 Irradiance point_irradiance(const PointLight& light, const Point3& p, const Point3& normal) {
   if (light.position == p) return infinite();
-  const Vector d = difference(light.position, p);
-  return cosine_over(rounded(normal), d, dot(d, d));
+  const Vector towards = difference(light.position, p);
+  if (!(length_above(towards) < HUGE_VAL)) return {0, std::numeric_limits<double>::denorm_min()};
+  const Vector d = of_size_one(towards);
+  return in_true_size(cosine_over(direction(normal), d, dot(d, d)), exponent(towards), 2);
 }
 
 Irradiance directional_irradiance(const DirectionalLight& light, const Point3& normal) {
-  return cosine_over(rounded(normal), -1 * rounded(light.direction), 1);
+  return cosine_over(direction(normal), -1 * direction(light.direction), 1);
 }
 
 Irradiance linear_irradiance(const LinearLight& light, std::span<const std::array<Rational, 2>> intervals,
                              const Point3& p, const Point3& normal) {
-  const ExactVector start = exact(light.start) - exact(p);
-  const ExactVector along = exact(light.end) - exact(light.start);
+  const ExactVector true_start = exact(light.start) - exact(p);
+  const ExactVector true_along = exact(light.end) - exact(light.start);
+  const int size = std::max(exponent(true_start), exponent(true_along));
+  const ExactVector start = power_of_two(-size) * true_start;
+  const ExactVector along = power_of_two(-size) * true_along;
+  const bool is_end_on = is_zero(cross(start, along));
+  const Vector n = direction(normal);
   Irradiance sum;
   for (const std::array<Rational, 2>& interval : intervals) {
     const auto stretch = above_horizon({start + interval[0] * along, start + interval[1] * along}, exact(normal));
     if (!stretch) continue;
-    const bool is_end_on = is_zero(cross(start, along));
-    const Irradiance part = is_end_on ? end_on(*stretch, rounded(normal)) : seen_across(*stretch, rounded(normal));
+    const Irradiance part = is_end_on ? end_on(*stretch, n) : seen_across(*stretch, n);
     sum.value += part.value;
     sum.error_bound += part.error_bound + 2 * unit * sum.value;
   }
-  return sum;
+  return in_true_size(sum, size, 1);
 }
 
 Irradiance linear_irradiance(const LinearLight& light, const LinearLightSeen& seen, const Point3& p,
                              const Point3& normal) {
-  const Vector start = difference(light.start, p);
-  const Vector along = difference(light.end, light.start);
-  const Vector n = rounded(normal);
+  const Vector true_start = difference(light.start, p);
+  const Vector true_along = difference(light.end, light.start);
+  const int size = std::max(exponent(true_start), exponent(true_along));
+  const Vector start = scaled(true_start, -size);
+  const Vector along = scaled(true_along, -size);
+  const Vector n = direction(normal);
   const Crosswise across = crosswise(start, along, n);
   Irradiance sum;
   for (const VisibleStretch& stretch : seen.visible) {
@@ -189,7 +226,7 @@ Irradiance linear_irradiance(const LinearLight& light, const LinearLightSeen& se
     sum.error_bound += part.error_bound + 2 * unit * sum.value;
   }
   if (!(sum.error_bound < HUGE_VAL) || !(sum.value < HUGE_VAL)) return infinite();
-  return sum;
+  return in_true_size(sum, size, 1);
 }
 
 }  // namespace gnomon

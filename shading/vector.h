@@ -55,6 +55,23 @@ inline double length(const Vector& a) {
   return std::sqrt(dot(a, a));
 }
 
+/// The binary exponent of the largest coordinate; 0 if that is 0 or not finite.
+inline int exponent(const Vector& a) {
+  const double size = std::fmax(std::fmax(std::fabs(a.x), std::fabs(a.y)), std::fabs(a.z));
+  return size > 0 && size < HUGE_VAL ? std::ilogb(size) : 0;
+}
+
+/// Times a power of two: exact but for coordinates that underflow.
+inline Vector scaled(const Vector& a, int power) {
+  return {std::scalbn(a.x, power), std::scalbn(a.y, power), std::scalbn(a.z, power)};
+}
+
+/// The direction with a largest coordinate from 1 to 2, if it has a length that is finite. What underflows beside that
+/// is far below rounding.
+inline Vector of_size_one(const Vector& a) {
+  return scaled(a, -exponent(a));
+}
+
 /// At least the length, and less than twice it.
 template <class Number>
 Number length_above(const VectorOf<Number>& a) {

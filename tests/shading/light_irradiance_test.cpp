@@ -157,5 +157,39 @@ TEST(LightIrradianceAgreement, BothLevelsHoldTheTruthOf200Bits) {
   }
 }
 
+/// A light behind a triangle, a point and its normal, drawn from a seed; all lengths times a power of two.
+Irradiance of_size(std::size_t kind, unsigned seed, int exponent) {
+  Dice dice(seed);
+  const auto point = [&](int low, int high) {
+    const Point3 p = draw_point(dice, 3, low, high);
+    return Point3{std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
+  };
+  const std::vector<Point3> corners = {point(2, 4), point(2, 4), point(2, 4)};
+  const Light lights[] = {PointLight{point(6, 8)}, LinearLight{point(5, 6), point(7, 8)},
+                          AreaLight{ConvexPolygon::from_points({point(5, 5), point(6, 6), point(7, 7)}), true},
+                          DirectionalLight{point(-4, -2)}};
+  std::vector<ConvexBlocker> blockers;
+  if (!ConvexPolygon::defect(corners)) blockers.emplace_back(ConvexPolygon::from_points(corners));
+  LightIrradiance light(lights[kind], 1, PreparedObstacles({blockers, {}}));
+  const Point3 p = point(-1, 1);
+  return light.at(p, draw_point(dice, 2, 1, 3));
+}
+
+TEST(LightIrradiance, LengthsOfAnyPowerOfTwoGiveTheSameTimesThatPowerOfDistance) {
+  constexpr int falls[] = {2, 1, 0, 0};  // of a point, a line, an area, a direction
+  for (std::size_t kind = 0; kind < 4; ++kind) {
+    for (unsigned seed = 1; seed <= 60; ++seed) {
+      const Irradiance plain = of_size(kind, seed, 0);
+      for (const int exponent : {-400, -262, -131, -60, 60, 97, 131, 262, 400}) {
+        const Irradiance other = of_size(kind, seed, exponent);
+        const double value = std::ldexp(other.value, falls[kind] * exponent);
+        const double bound = std::ldexp(other.error_bound, falls[kind] * exponent);
+        ASSERT_LE(std::fabs(value - plain.value), bound + plain.error_bound) << kind << " " << seed << " " << exponent;
+        ASSERT_LE(bound, 1e-9) << kind << " " << seed << " " << exponent;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace gnomon
