@@ -55,8 +55,6 @@ class OutlineBuilder {
   void append_rays(std::span<const Point3> corners);
   void reverse_rays();
   void append_planes(std::span<const std::uint32_t> names, bool reversed);
-  Seen append_silhouette(std::span<const Point3* const> loop, std::span<const std::uint32_t> names,
-                         std::uint32_t element);
   Seen seen_from_inside(const ConvexSolid& solid) const;
   bool certainly_outside();
   void make_sides_exact(const Outline& outline);
