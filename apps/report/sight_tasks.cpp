@@ -45,16 +45,18 @@ struct Method {
   std::function<Ask(const Looked&)> prepare;
 };
 
-/// How many results there are to compare for n blockers, and how many of the slow methods.
+/// How many results there are to compare for n blockers, how many of the slow methods, and how finely the light is
+/// sampled at most: about as finely as relative errors of 1e-3 take.
 struct Counts {
   std::size_t points;
   std::size_t slow_points;
+  std::size_t cells;
 };
 
 Counts counts(std::size_t n, Effort effort) {
-  if (effort == Effort::quick) return n <= 16 ? Counts{64, 16} : Counts{32, 8};
-  if (n <= 16) return {512, 128};
-  return n <= 64 ? Counts{256, 32} : n <= 256 ? Counts{64, 8} : Counts{16, 2};
+  if (effort == Effort::quick) return n <= 16 ? Counts{64, 16, 16} : Counts{32, 8, 16};
+  if (n <= 16) return {512, 128, 64};
+  return n <= 64 ? Counts{256, 32, 64} : n <= 256 ? Counts{64, 8, 128} : Counts{16, 2, 256};
 }
 
 std::vector<Looked> looked_scenes(std::size_t n, std::size_t points) {
@@ -122,7 +124,7 @@ Ask embree(const Looked& looked, Quantity quantity, Placing placing, std::size_t
   return [sight, quantity](const Point3& p) { return value_of(sight->seen_from(p, up), quantity); };
 }
 
-std::vector<Method> methods(Quantity quantity, const Counts& count, Effort effort) {
+std::vector<Method> methods(Quantity quantity, const Counts& count) {
   const bool regions = quantity == Quantity::visible_fraction;
   const auto with = [quantity](Ask (*prepare)(const Looked&, Quantity)) {
     return [=](const Looked& looked) { return prepare(looked, quantity); };
@@ -135,7 +137,7 @@ std::vector<Method> methods(Quantity quantity, const Counts& count, Effort effor
                                                       {"embree_jittered", Placing::jittered},
                                                       {"embree_stratified", Placing::stratified}};
   for (const auto& [name, placing] : placings) {
-    for (std::size_t k = 2; k <= (effort == Effort::quick ? 16 : 64); k *= 2) {
+    for (std::size_t k = 2; k <= count.cells; k *= 2) {
       const auto prepare = [=, placed = placing](const Looked& looked) { return embree(looked, quantity, placed, k); };
       all.push_back({name, k * k, count.points, true, prepare});
     }
@@ -190,7 +192,7 @@ std::vector<Measurement> sight_measurements(std::size_t n, Effort effort) {
   const std::vector<Looked> scenes = looked_scenes(n, count.points);
   std::vector<Measurement> all;
   for (const Quantity quantity : {Quantity::visible_fraction, Quantity::irradiance}) {
-    for (const Method& method : methods(quantity, count, effort)) {
+    for (const Method& method : methods(quantity, count)) {
       all.push_back(measured(scenes, method, quantity, effort));
       all.back().size = n;
     }

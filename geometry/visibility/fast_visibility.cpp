@@ -140,11 +140,10 @@ Gathered FastVisibility::Work::gather(const Point3& apex) {
 
 /// The parts of the outline's edges inside the light; they are what makes it hide something.
 void FastVisibility::Work::append_stretches_inside(BoundaryWalk& walk, std::uint32_t outline) {
-  const std::uint32_t count = outlines_.list[outline].count;
-  for (std::uint32_t k = 0; k < count; ++k) {
-    const Edge edge = edge_of(outlines_, outline, k);
-    Stretch stretch;
-    if (walk.stretch_inside(edge, 0, Alongside::nothing, stretch)) inside_.push_back({edge, stretch});
+  const Outline& o = outlines_.list[outline];
+  for (std::uint32_t k = 0; k < o.count; ++k) {
+    Piece piece{edge_of(outlines_, outline, k), whole_edge};
+    if (o.inside || walk.stretch_inside(piece.edge, 0, Alongside::nothing, piece.stretch)) inside_.push_back(piece);
   }
 }
 

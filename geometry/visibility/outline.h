@@ -100,6 +100,7 @@ struct Outline {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
   std::uint32_t element = 0;  ///< index of the blocker
+  bool inside = false;        ///< certainly inside the light as seen, strictly: no edge meets one of the light's
   FlatBox box;                ///< cut to the light's, which is all that matters
 
   std::uint32_t before(std::uint32_t k) const { return k == 0 ? count - 1 : k - 1; }
@@ -116,7 +117,8 @@ struct Outlines {
   /// On which side of the pyramid's planes the rays of an outline run: row by row from first * (number of planes), one
   /// row for a plane. The light's own are not filled in.
   std::vector<std::int8_t> at_pyramid;
-  /// On which side of each plane the light's rays run, one row for a plane. The light's own are not filled in.
+  /// On which side of each plane the light's rays run, one row for a plane. Not filled in for the light's own and for
+  /// outlines inside the light.
   std::vector<std::int8_t> of_light;
 
   void clear() {

@@ -96,7 +96,7 @@ int OutlineBuilder::append_counterclockwise(std::span<const std::uint32_t> names
 /// Closes the light's outline.
 void OutlineBuilder::append_light(std::span<const FlatPoint> flats, const FlatBox& box) {
   outlines_.flats.assign(flats.begin(), flats.end());
-  outlines_.list.push_back({0, static_cast<std::uint32_t>(outlines_.rays.size()), 0, box});
+  outlines_.list.push_back({0, static_cast<std::uint32_t>(outlines_.rays.size()), 0, false, box});
 }
 
 Seen OutlineBuilder::dropped() {
@@ -116,14 +116,18 @@ bool OutlineBuilder::certainly_outside() {
   }
   std::int8_t* row = outlines_.at_pyramid.data() + pyramid.size() * first_;
   sides_are_exact_ = true;
+  inside_ = true;
   for (const Plane& plane : pyramid) {
+    int least = uncertain;
     int most = -1;
     for (std::size_t k = 0; k < count; ++k) {
       row[k] = certain_side(plane, rays[k]);
+      least = std::min<int>(least, row[k]);
       most = std::max<int>(most, row[k]);
     }
     if (most == -1) return true;
     sides_are_exact_ = sides_are_exact_ && most != uncertain;
+    inside_ = inside_ && least == 1 && most == 1;
     row += count;
   }
   return false;
@@ -204,17 +208,13 @@ OutlineBuilder::Beyond OutlineBuilder::light_beyond(const Point3& a, const Point
   return !beyond ? Beyond::none : here ? Beyond::part : Beyond::all;
 }
 
-/// Looks from the light's corners to the outline's planes, and closes the outline if it may hide something.
-Seen OutlineBuilder::finished(std::uint32_t element) {
-  Outline outline;
-  outline.first = first_;
-  outline.count = static_cast<std::uint32_t>(outlines_.rays.size()) - first_;
-  outline.element = element;
+/// Looks from the light's corners to the outline's planes.
+Seen OutlineBuilder::seen_by_light(const Outline& outline) {
   const std::span<const Ray> light = outlines_.rays_of(outlines_.list.front());
   if (outlines_.of_light.size() < light.size() * outlines_.planes.size()) {
     outlines_.of_light.resize(2 * light.size() * outlines_.planes.size());
   }
-  std::int8_t* row = outlines_.of_light.data() + light.size() * first_;
+  std::int8_t* row = outlines_.of_light.data() + light.size() * outline.first;
   bool covers = true;
   for (const Plane& plane : outlines_.planes_of(outline)) {
     bool apart = true;
@@ -226,9 +226,21 @@ Seen OutlineBuilder::finished(std::uint32_t element) {
       covers = covers && sign >= 0;
       *row++ = static_cast<std::int8_t>(sign);
     }
-    if (apart && !along) return dropped();
+    if (apart && !along) return Seen::apart;
   }
-  if (covers) return Seen::covers;
+  return covers ? Seen::covers : Seen::outlined;
+}
+
+/// Closes the outline if it may hide something.
+Seen OutlineBuilder::finished(std::uint32_t element) {
+  Outline outline;
+  outline.first = first_;
+  outline.count = static_cast<std::uint32_t>(outlines_.rays.size()) - first_;
+  outline.element = element;
+  outline.inside = inside_;
+  const Seen seen = inside_ ? Seen::outlined : seen_by_light(outline);
+  if (seen == Seen::apart) return dropped();
+  if (seen == Seen::covers) return seen;
   if (!sides_are_exact_) make_sides_exact(outline);
   outlines_.flats.resize(first_);
   for (const Ray& ray : outlines_.rays_of(outline)) {

@@ -68,6 +68,7 @@ class OutlineBuilder {
   Beyond light_beyond(const Point3& a, const Point3& b, const Point3& c) const;
   bool light_beyond_all_shown(const ConvexSolid& solid) const;
   Seen finished(std::uint32_t element);
+  Seen seen_by_light(const Outline& outline);
   Seen dropped();
 
   Point3 apex_;
@@ -78,6 +79,7 @@ class OutlineBuilder {
   Outlines& outlines_;
   std::uint32_t first_ = 0;      ///< of the outline being built
   bool sides_are_exact_ = true;  ///< of its rays, at the pyramid
+  bool inside_ = false;          ///< all of these are positive
 };
 
 }  // namespace gnomon::sight
