@@ -21,6 +21,7 @@ using shading::square_root;
 using shading::twice;
 using shading::Vector;
 using shading::vector;
+using shading::VectorOf;
 using shading::VectorPair;
 using shading::vectors;
 
@@ -53,8 +54,9 @@ Horizon horizon(const Point3& normal, const SightDirection& forward) {
   Horizon result;
   result.normal = (1 / length(n)) * n;
   result.lift = result.normal;
-  if (dot(result.normal, vector(forward)) < 0) {
-    const Vector f = of_size_one(vector(forward));
+  Vector f = vector(forward);
+  if (!is_tame(dot(f, f))) f = of_size_one(f);
+  if (dot(result.normal, f) < 0) {
     result.lift = result.normal + (-dot(result.normal, f) / dot(f, f)) * f;
     result.rise = dot(result.normal, result.lift);
     result.tilt = result.rise > 0 ? length_above(result.lift) / result.rise : HUGE_VAL;
@@ -109,14 +111,31 @@ class ArcSum {
   double error_ = 0;
 };
 
+/// sin²(angle / 2) between two directions; `inverse` is 1 over the product of their lengths.
+template <class Number>
+Number half_angle(const VectorOf<Number>& a, const VectorOf<Number>& b, const Number& inverse) {
+  return 0.5 - 0.5 * inverse * dot(a, b);
+}
+
+/// Angle times cosine, of at most 60 degrees: x is half_angle().
+template <class Number>
+Number arc(const VectorOf<Number>& normal, const VectorOf<Number>& a, const VectorOf<Number>& b, const Number& inverse,
+           const Number& x) {
+  return inverse * dot(normal, cross(a, b)) * arc_factor(x);
+}
+
 /// Bound. As a function of the two unit vectors the term changes at most 1.21 times as fast as they do, up to 60
-/// degrees. Rounding: 8 u in the product of three vectors, times 1.21; 3 u in the scale, 3.5 u in x, arc_factor_error,
-/// each times at most 1.21 sin(60 degrees). Together less than 26 u.
+/// degrees. Rounding, each times at most 1.21 sin(60 degrees): 5.5 u in the inverse and 2 u in products with it, 7 u in
+/// the product of three vectors, 4.5 u in the normal's length, 3.5 u in x, arc_factor_error. Together less than 32 u.
+template <class Number>
+Number arc_error(const Number& ends_error) {
+  return 1.25 * ends_error + 32 * unit;
+}
+
 inline void ArcSum::add_arc(const Ends& e, const SightDirection& normal) {
-  const double x = std::max(0.5 - 0.5 * e.inverse * dot(e.a, e.b), 0.0);
+  const double x = std::max(half_angle(e.a, e.b, e.inverse), 0.0);
   if (!(x <= 0.25)) return add_wide_arc(e, normal);
-  const double sine = e.inverse * dot(horizon_.normal, cross(e.a, e.b));
-  add_term(sine * arc_factor(x), 1.25 * e.error + 26 * unit);
+  add_term(arc(horizon_.normal, e.a, e.b, e.inverse, x), arc_error(e.error));
 }
 
 /// Bound. The angle is off by what its ends are and 20 u, the piece's unit normal by its own error and 8 u; the cosine
@@ -183,12 +202,12 @@ bool ArcSum::add_two(const BoundaryPiece& p, const BoundaryPiece& q) {
   const Pair bb = dot(b, b);
   const Pair inverse = 1 / square_root(aa * bb);
   const Pair ends_error = Pair{p.start.error, q.start.error} + Pair{p.end.error, q.end.error};
-  const Pair x = 0.5 - 0.5 * inverse * dot(a, b);
+  const Pair x = half_angle(a, b, inverse);
   const auto common = (aa > least_tame) & (aa < most_tame) & (bb > least_tame) & (bb < most_tame) & (dot(n, a) >= 0) &
                       (dot(n, b) >= 0) & (x <= 0.25) & (ends_error < 0.01);
   if ((common[0] & common[1]) == 0) return false;
-  const Pair term = inverse * dot(n, cross(a, b)) * arc_factor(x);
-  const Pair error = 1.25 * ends_error + 26 * unit;
+  const Pair term = arc(n, a, b, inverse, x);
+  const Pair error = arc_error(ends_error);
   add_term(term[0], error[0]);
   add_term(term[1], error[1]);
   return true;

@@ -102,7 +102,7 @@ LightIrradiance::LightIrradiance(Light light, double strength, PreparedObstacles
 std::optional<Irradiance> LightIrradiance::fast_answer(const Point3& p, const Point3& normal) {
   if (obstacles_.may_enclose(p)) return std::nullopt;
   const std::optional<Irradiance> e = std::visit(Received{light_, p, normal}, fast_);
-  if (!e || !(e->error_bound <= widest_bound)) return std::nullopt;
+  if (!e || !(e->error_bound >= 0 && e->error_bound <= widest_bound)) return std::nullopt;
   return e;
 }
 

@@ -48,7 +48,18 @@ Rational power_of_two(int exponent) {
 /// What was found with all lengths divided by 2^exponent, where the irradiance falls with that power of distance.
 Irradiance in_true_size(const Irradiance& e, int exponent, int power) {
   const double least = std::numeric_limits<double>::denorm_min();
-  return {std::scalbn(e.value, -power * exponent), std::scalbn(e.error_bound, -power * exponent) + least};
+  const double value = std::scalbn(e.value, -power * exponent);
+  return {value, value < HUGE_VAL ? std::scalbn(e.error_bound, -power * exponent) + least : HUGE_VAL};
+}
+
+/// Whatever the size.
+double safe_length(const Vector& a) {
+  return std::scalbn(length(of_size_one(a)), exponent(a));
+}
+
+Vector unit_vector(const Vector& a) {
+  const Vector b = of_size_one(a);
+  return 1 / length(b) * b;
 }
 
 /// The nearest doubles again; infinite where the difference is.
@@ -88,12 +99,13 @@ std::optional<Stretch> above_horizon(Stretch stretch, const ExactVector& normal)
 
 /// Seen end-on: the integral of 1 / r², at one cosine.
 Irradiance end_on(const Stretch& stretch, const Vector& normal) {
-  const Vector a = rounded(stretch.from);
-  const Vector b = rounded(stretch.to);
   if (dot(stretch.from, stretch.to) <= 0) return infinite();
-  const Irradiance cosine = cosine_over(normal, a, 1);
-  const double near = 1 / std::fmin(length(a), length(b));
-  const double value = near - 1 / std::fmax(length(a), length(b));
+  const Vector a = rounded(stretch.from);
+  const double a_length = safe_length(a);
+  const double b_length = safe_length(rounded(stretch.to));
+  const Irradiance cosine = cosine_over(normal, of_size_one(a), 1);
+  const double near = 1 / std::fmin(a_length, b_length);
+  const double value = near - 1 / std::fmax(a_length, b_length);
   const double error = 16 * unit * near;
   return {cosine.value * value,
           1.01 * (cosine.error_bound * value + cosine.value * error + cosine.error_bound * error)};
@@ -130,11 +142,9 @@ struct End {
 /// the integral is (v - u) . (n x N) / h.
 /// Bound. Unit vectors err by 5 u and by twice what their ends are off in parts of their length.
 Irradiance seen_across(const End& a, const End& b, const Crosswise& light) {
-  const double a_length = length(a.place);
-  const double b_length = length(b.place);
-  const Vector change = 1 / b_length * b.place + -1 / a_length * a.place;
+  const Vector change = unit_vector(b.place) + -1 * unit_vector(a.place);
   const double value = dot(change, light.tangent) / light.distance;
-  const double ends = 2.1 * (a.error / a_length + b.error / b_length) + 20 * unit;
+  const double ends = 2.1 * (a.error / safe_length(a.place) + b.error / safe_length(b.place)) + 20 * unit;
   const double error = (ends + length_above(change) * light.error) / light.distance;
   const double bound = 1.01 * (error + std::fabs(value) * light.error);
   return {std::fmax(value, 0), bound >= 0 ? bound : HUGE_VAL};
@@ -161,6 +171,7 @@ Irradiance above_horizon(End from, End to, const Crosswise& light, const Vector&
   const double size = length_above(from.place) + length_above(to.place);
   const double error = 2 * (from.error + to.error) + 16 * unit * size;
   if (from_height < -error && to_height < -error) return {};
+  if (!(light.error < 0.5)) return infinite();
   const double h = light.distance * (1 - light.error);
   const double cut_error = error * length_above(light.along) / (h * h * h);
   if (from_height > error && to_height > error) return seen_across(from, to, light);

@@ -55,14 +55,21 @@ class FastVisibility::Work {
 
 namespace {
 
-/// The plane through three corners that are far apart.
-LightPlane plane_of(std::span<const Point3> corners) {
-  const std::size_t third = corners.size() / 3;
-  return light_plane(corners[0], corners[third], corners[2 * third]);
+/// The plane through three corners that are far apart, its normal on the front.
+LightPlane plane_of(const ConvexPolygon& polygon) {
+  const std::size_t third = polygon.corners().size() / 3;
+  const auto corner = [&](std::size_t k) { return polygon.points()[polygon.corners()[k]]; };
+  return light_plane(corner(0), corner(third), corner(2 * third));
+}
+
+/// The plane as its other side shows it: in the same two coordinates, so that areas are comparable.
+LightPlane turned(LightPlane plane) {
+  plane.normal = {-plane.normal.x, -plane.normal.y, -plane.normal.z};
+  return plane;
 }
 
 /// A polygon's corners run counterclockwise as seen from its front.
-LightSide light_side(const ConvexPolygon& polygon, bool front) {
+LightSide light_side(const ConvexPolygon& polygon, bool front, const LightPlane& plane) {
   LightSide side;
   const auto count = static_cast<std::uint32_t>(polygon.corners().size());
   for (std::uint32_t k = 0; k < count; ++k) {
@@ -70,7 +77,7 @@ LightSide light_side(const ConvexPolygon& polygon, bool front) {
     side.corners.push_back(polygon.points()[polygon.corners()[corner]]);
     side.names.push_back(polygon.side_edge(front ? (corner == 0 ? count - 1 : corner - 1) : corner));
   }
-  side.plane = plane_of(side.corners);
+  side.plane = plane;
   for (const Point3& corner : side.corners) {
     const Vector d = corner - side.corners[0];
     const double u = coordinate(d, side.plane.u);
@@ -108,8 +115,8 @@ FastVisibility::Work::Work(const AreaLight& light, BlockerSet blockers)
     : blockers_(std::move(blockers)),
       two_sided_(light.two_sided),
       flat_(light.polygon.is_flat()),
-      front_(light_side(light.polygon, true)),
-      back_(light_side(light.polygon, false)),
+      front_(light_side(light.polygon, true, turned(plane_of(light.polygon)))),
+      back_(light_side(light.polygon, false, plane_of(light.polygon))),
       light_area_(flat_area(front_.corners, front_.plane.u, front_.plane.v)) {
   in_range_ =
       std::all_of(front_.corners.begin(), front_.corners.end(), is_in_range) && blockers_.content().largest <= largest;

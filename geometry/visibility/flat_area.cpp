@@ -4,13 +4,6 @@
 #include "geometry/rounding.h"
 
 namespace gnomon::sight {
-namespace {
-
-double coordinate(const Point3& p, int axis) {
-  return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
-}
-
-}  // namespace
 
 FlatArea flat_area(std::span<const Point3> corners, int u, int v) {
   Rational sum = 0;

@@ -43,7 +43,7 @@ struct LightPlane {
   double error = 0;  ///< of each coordinate of the normal
   double height = 0;
   double height_error = 0;
-  double height_doubt = 0;  ///< at least the relative error of the height
+  double height_doubt = 0;  ///< at least the relative error of the height; infinite if it may be more than a quarter
   int u = 0;                ///< the two coordinates that are kept where the plane is looked at as flat
   int v = 1;
   double origin_u = 0;  ///< of the flat coordinates, relative to the apex: the point that gave the height
@@ -61,7 +61,9 @@ struct LightPlane {
 /// The plane through three points; no height.
 LightPlane light_plane(const Point3& a, const Point3& b, const Point3& c);
 
-inline double coordinate(const Vector& a, int axis) {
+/// Of a vector or a point.
+template <class Triple>
+double coordinate(const Triple& a, int axis) {
   return axis == 0 ? a.x : axis == 1 ? a.y : a.z;
 }
 
@@ -71,7 +73,7 @@ inline void set_height(LightPlane& plane, const Vector& to_plane) {
   const double size = size_of(to_plane);
   plane.height = plane.depth(to_plane);
   plane.height_error = plane.depth_error(size, unit * size);
-  plane.height_doubt = 1.5 * plane.height_error / plane.height;
+  plane.height_doubt = plane.height > 4 * plane.height_error ? 1.5 * plane.height_error / plane.height : HUGE_VAL;
   plane.origin_u = coordinate(to_plane, plane.u);
   plane.origin_v = coordinate(to_plane, plane.v);
   plane.origin_size = size;
@@ -147,7 +149,7 @@ struct Outlines {
 inline FlatPoint meeting_point(const LightPlane& plane, const Vector& direction, double size, double error) {
   const double depth = plane.depth(direction);
   const double depth_error = plane.depth_error(size, error);
-  if (!(depth > 4 * depth_error)) return {};
+  if (!(depth > 4 * depth_error) || plane.height_doubt == HUGE_VAL) return {};
   const double inverse = 1 / depth;
   const double scale = plane.height * inverse;
   const double relative = 1.5 * depth_error * inverse + plane.height_doubt + 6 * unit;

@@ -191,5 +191,27 @@ TEST(LightIrradiance, LengthsOfAnyPowerOfTwoGiveTheSameTimesThatPowerOfDistance)
   }
 }
 
+TEST(LightIrradianceRegression, NextToTheLineOfALinearLightBoundsAreNotNegative) {
+  for (const double y : {1e-12, 1e-15, 3e-16, 1e-17, 1e-20}) {
+    LightIrradiance light(LinearLight{{1, y, 0}, {2, y, 0}}, 1, PreparedObstacles({}));
+    const Irradiance e = light.at({0, 0, 0}, {0, 1, 0});
+    ASSERT_GE(e.error_bound, 0) << y;
+    EXPECT_NEAR(e.value, y * (0.5 - 0.125), e.error_bound) << y;
+  }
+}
+
+TEST(LightIrradianceRegression, AnEndMuchNearerThanTheOtherKeepsItsDigits) {
+  for (const double near : {1e-150, 1e-158, 1e-160, 1e-161}) {
+    LightIrradiance end_on(LinearLight{{near, 0, 0}, {1, 0, 0}}, 1, PreparedObstacles({}));
+    const Irradiance e = end_on.at({0, 0, 0}, {1, 0, 0});
+    EXPECT_LE(e.error_bound, 1e-12 * e.value) << near;
+    EXPECT_NEAR(e.value * near, 1, e.error_bound * near + 1e-15) << near;
+    LightIrradiance across(LinearLight{{near, near / 2, 0}, {1, near / 2, 0}}, 1, PreparedObstacles({}));
+    const Irradiance f = across.at({0, 0, 0}, {1, 0, 0});
+    EXPECT_LE(f.error_bound, 1e-12 * f.value) << near;
+    EXPECT_NEAR(f.value * near, 1 / std::sqrt(1.25), f.error_bound * near + 1e-15) << near;
+  }
+}
+
 }  // namespace
 }  // namespace gnomon

@@ -55,6 +55,51 @@ TEST(FastVisibilityRegression, ASolidBulgesThroughTheLightsPlaneTowardsThePoint)
   EXPECT_EQ(visibility.at({0, 6, -1}).region, Region::penumbra);
 }
 
+/// A point of the plane 4x + 3y = 0, moved along its normal.
+Point3 beside(double s, double t, double distance) {
+  return {3 * s + 4 * distance, -4 * s + 3 * distance, t};
+}
+
+TEST(FastVisibilityRegression, BothSidesOfALightWithNearlyCollinearCornersMeasureTheSameArea) {
+  const std::vector<Point3> corners = {
+      {0x1.8p+1, -0x1p+2, 0x1p-2},
+      {0x1.d8b83d5560368p+0, -0x1.3b257e38eacfp+1, 0x1.e94880da7537cp-1},
+      {0x1.d8b83d556035p-1, -0x1.3b257e38eacep+0, 0x1.e94880da75364p-2},
+      {0, 0, 0},
+  };
+  const std::vector<Point3> other_way = {corners[1], corners[0], corners[3], corners[2]};
+  for (const double distance : {-1.0, 1.0}) {
+    const auto hide = [&](double s, double t) { return beside(s, t, distance / 2); };
+    const std::vector<ConvexBlocker> blockers = {
+        ConvexPolygon::from_points({hide(-5, 0.45), hide(5, 0.45), hide(5, -5), hide(-5, -5)})};
+    const Point3 p = beside(0.25, 0.5, distance);
+    std::vector<Visibility> seen;
+    for (const std::vector<Point3>& loop : {corners, other_way}) {
+      LightVisibility visibility(AreaLight{ConvexPolygon::from_points(loop), true}, PreparedObstacles({blockers, {}}));
+      seen.push_back(visibility.at(p));
+    }
+    EXPECT_LE(std::fabs(seen[0].fraction - seen[1].fraction), seen[0].error_bound + seen[1].error_bound) << distance;
+  }
+}
+
+/// Two rectangles across each other before a light whose plane's distance is less than its rounding.
+std::size_t pieces_around_a_cross(double distance) {
+  const AreaLight light{ConvexPolygon::from_points({{3, -4, 1}, {-3, 4, 1}, {-3, 4, -1}, {3, -4, -1}}), true};
+  const auto rectangle = [&](double width, double height) {
+    const auto corner = [&](double s, double t) { return beside(s * distance, t * distance, distance / 2); };
+    return ConvexPolygon::from_points(
+        {corner(-width, -height), corner(width, -height), corner(width, height), corner(-width, height)});
+  };
+  const std::vector<ConvexBlocker> blockers = {rectangle(0.5, 0.3), rectangle(0.3, 0.5)};
+  FastVisibility visibility(light, BlockerSet(blockers));
+  return visibility.seen_from(beside(0, 0, distance)).value().boundary.size();
+}
+
+TEST(FastVisibilityRegression, BlockersCrossBeforeALightNearerThanRoundingTells) {
+  EXPECT_EQ(pieces_around_a_cross(1e-6), 4U + 12U);
+  EXPECT_EQ(pieces_around_a_cross(1e-17), 4U + 12U);
+}
+
 TEST(LightVisibilityAgreement, EveryLightIsAnsweredAsTheExactLevelDoes) {
   const auto cases = laws::sight_cases(Domain::random, {{LightKind::point, LightKind::direction, LightKind::segment,
                                                          LightKind::polygon, LightKind::rounded_polygon},
