@@ -10,13 +10,11 @@ namespace gnomon {
 /// The irradiance that one light gives to receivers behind obstacles.
 ///
 /// Definition: what is visible of the light (exact_visibility), above the receiver's horizon: lambert_irradiance for
-/// area
-///             lights, the integral of cosine over squared distance for linear and point lights, the cosine for
+///             area lights, the integral of cosine over squared distance for linear and point lights, the cosine for
 ///             directional ones; times the light's strength.
 /// Degenerate: infinite at a visible point of a point or linear light.
 /// Exactness:  with an error bound. What is visible is exact; where the fast level does not decide, or has no bound
-/// below
-///             1e-6 of the strength, the exact level makes the polygons.
+///             below 1e-6 of the strength, the exact level makes the polygons.
 /// Cost:       memory is kept for the next question, so one object per thread.
 class LightIrradiance {
  public:

@@ -22,10 +22,9 @@ struct SightDirection {
 };
 
 /// A piece of the boundary of the visible part of a light, on one edge of the light or of a blocker.
-/// Orientation: from `start` to `end` the visible part lies to the left, seen from beyond the light, hence to the
-/// right,
-///              seen from the point that looks; `normal` is perpendicular to both and points to the visible part's side
-///              of the edge.
+/// Orientation: from `start` to `end` the visible part lies to the left, seen from beyond the light, and so to the
+///              right, seen from the point that looks; `normal` is perpendicular to both and points to the visible
+///              part's side of the edge.
 struct BoundaryPiece {
   std::optional<std::uint32_t> blocker;  ///< its index in the set; empty for an edge of the light
   std::uint32_t edge = 0;                ///< of the polygon as given, or of the solid
@@ -52,8 +51,8 @@ struct LightSeen {
 /// Exactness:  region and boundary are exact: a sign that doubles cannot certify is taken in exact arithmetic. The
 ///             fraction carries a bound. Where this level does not decide it says so.
 /// Cost:       a search in the hierarchy, and for each edge near the pyramid between point and light those blockers
-/// that
-///             overlap it as seen; nothing is split. Memory is kept for the next question, so one object per thread.
+///             that overlap it as seen; nothing is split. Memory is kept for the next question, so one object per
+///             thread.
 class FastVisibility {
  public:
   /// Requires: nothing; a light that is not exactly flat is never decided.
