@@ -20,8 +20,7 @@ enum class VertexFractions { left_out, worked_out };
 ///
 /// Requires: the scene outlives the result.
 /// Throws:   UsageError for a name that the scene does not have; UnsupportedError if nothing of it is supported. What
-/// is
-///           not supported beside others is warned of.
+///           is not supported beside others is warned of.
 DiscontinuityResult divided_receivers(const Scene& scene, const ReceiverSelection& selection, VertexFractions fractions,
                                       const Effort& effort);
 

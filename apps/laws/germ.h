@@ -13,8 +13,7 @@ using Integer = boost::multiprecision::mpz_int;
 /// A polynomial in t with whole coefficients, the constant one first; no coefficient stands for zero.
 ///
 /// Definition: such polynomials are ordered by what they are for all t > 0 that are small enough, so the sign is that
-/// of
-///             the first coefficient that is not zero.
+///             of the first coefficient that is not zero.
 /// Exactness:  nothing is cut off.
 class Germ {
  public:

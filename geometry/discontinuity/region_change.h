@@ -28,8 +28,7 @@ struct FacePiece {
 ///             planes through p, a quadratic function of p, has Bernstein coefficients of one sign. Else it is halved
 ///             at its longest side.
 /// Termination: at most `most_pieces` triangles, none of them halved more than `most_halvings` times; the answer is
-/// true
-///             beyond that, and where more than `most_outlines` edges are near.
+///             true beyond that, and where more than `most_outlines` edges are near.
 /// Exactness:  intervals, and rational arithmetic where these do not tell. Triangles are halved at rational points.
 bool region_may_change(const EventScene& scene, std::span<const ShapeId> shapes, std::span<const FacePiece> face);
 

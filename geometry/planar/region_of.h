@@ -9,8 +9,7 @@ namespace gnomon::planar {
 /// the open segment between them meets the blocker. Lights of the plane have no back, so no point is unlit.
 ///
 /// Degenerate: what hides a part of length zero of a linear light does not count; it hides a point light. A point on
-/// the
-///             blocker sees a light that is not on the blocker's line.
+///             the blocker sees a light that is not on the blocker's line.
 /// Exactness:  signs of orientation determinants of input points and the point itself, in every position.
 /// After:      [P93] §4.2.2.1, properties 1 to 4.
 Region region_of(const Pair& pair, const Point2& point);

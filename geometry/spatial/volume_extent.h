@@ -15,8 +15,7 @@ struct VolumeExtents {
 };
 
 /// Definition: the umbra is bounded if its exact polyhedron has no corner at infinity. Components of the interior of
-/// the
-///             occlusion without the umbra: as both are convex, each reaches one connected piece of the umbra's
+///             the occlusion without the umbra: as both are convex, each reaches one connected piece of the umbra's
 ///             boundary inside the occlusion; of the umbra without a solid: as many as there are connected pieces of
 ///             the solid's boundary inside the umbra. A light that crosses the plane of a flat blocker makes two.
 /// Exactness:  exact throughout.

@@ -38,8 +38,7 @@ FastLevel fast_level(const Light& light, const BlockerSet& blockers);
 ///
 /// Definition: exact_visibility.
 /// Exactness:  the region is exact. The fraction is within its bound, which is at most 1e-6: where the fast level has
-/// no
-///             better one, the exact level is asked as well.
+///             no better one, the exact level is asked as well.
 /// Cost:       memory is kept for the next question, so one object per thread.
 class LightVisibility {
  public:

@@ -66,8 +66,7 @@ struct Ray {
 /// The oriented plane through the apex and two input points; its positive side lies left of the edge `from` -> `to`.
 ///
 /// Exactness: `normal` is (from - apex) x (to - from). Each of its two products per coordinate carries three roundings
-/// of
-///            factors and product, their difference one more: at most 8.5 u |from - apex| |to - from| in all, in the
+///            of factors and product, their difference one more: at most 8.5 u |from - apex| |to - from| in all, in the
 ///            maximum norm.
 struct Plane {
   Plane() = default;

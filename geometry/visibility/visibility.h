@@ -33,9 +33,8 @@ struct Visibility {
 /// Degenerate: every position of light, blockers and point. A grazing contact hides point and directional lights, and
 ///             changes nothing for the others, as it has no area or length. A point on a flat blocker sees both sides.
 /// Exactness:  the region is decided in rational arithmetic. `fraction` is the double nearest to f, but where f had to
-/// be
-///             enclosed (to 2^-190, for lights whose vertices are not exactly coplanar and for more than 64 pieces) it
-///             may be a neighbour that is as near up to the enclosure.
+///             be enclosed (to 2^-190, for lights whose vertices are not exactly coplanar and for more than 64 pieces)
+///             it may be a neighbour that is as near up to the enclosure.
 /// Cost:       rational arithmetic for every blocker that may reach the light; meant as a reference.
 Visibility exact_visibility(const Light& light, const Obstacles& obstacles, const Point3& p);
 
