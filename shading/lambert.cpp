@@ -61,6 +61,7 @@ Horizon horizon(const Point3& normal, const SightDirection& forward) {
     result.rise = dot(result.normal, result.lift);
     result.tilt = result.rise > 0 ? length_above(result.lift) / result.rise : HUGE_VAL;
   }
+  if (!(forward.error < 0.01)) result.tilt = HUGE_VAL;
   return result;
 }
 
@@ -70,6 +71,12 @@ struct Ends {
   Vector b;
   double inverse = 1;  ///< 1 over the product of their lengths
   double error = 0;    ///< the sum of how far each is off, in parts of its length
+};
+
+/// Where a piece crosses the horizon, and how far it may be off, in parts of its length.
+struct Cut {
+  Vector direction;
+  double error = 0;
 };
 
 Ends ends(const Vector& a, const Vector& b, double error) {
@@ -101,6 +108,8 @@ class ArcSum {
   bool add_two(const BoundaryPiece& p, const BoundaryPiece& q);
   void add(const BoundaryPiece& piece);
   void add(const Ends& ends, const SightDirection& normal);
+  void add_in_two(const Ends& ends, const SightDirection& normal);
+  void add_part(const Ends& ends, const SightDirection& normal);
   void add_arc(const Ends& ends, const SightDirection& normal);
   void add_wide_arc(const Ends& ends, const SightDirection& normal);
   void add_on_horizon(const Ends& ends);
@@ -159,29 +168,69 @@ void ArcSum::add_on_horizon(const Ends& e) {
   add_term(angle, std::numbers::pi - std::fabs(angle) < 4 * error ? HUGE_VAL : error);
 }
 
-/// Where exactly the piece is cut hardly matters: a cut at height h instead of 0 changes the sum by at most tilt * h.
+/// Where a piece crosses the horizon, by its ends. Bound. In the plane of both it is off by what they are and by
+/// rounding, times what is lost where they cancel.
+Cut cut_between(const Ends& e, double height_a, double height_b) {
+  const double scale = 1 / (std::fabs(height_a) + std::fabs(height_b));
+  const double share_a = scale * std::fabs(height_b);
+  const double share_b = scale * std::fabs(height_a);
+  const Vector cut = share_a * e.a + share_b * e.b;
+  const double lost = (share_a * length_above(e.a) + share_b * length_above(e.b)) / length(cut);
+  return {cut, 1.01 * lost * (e.error + 20 * unit)};
+}
+
+/// The same, by the piece's plane, which passes from above to below along n x N. Bound. The product errs by 6 u and
+/// what its factors are off, in parts of their lengths.
+Cut cut_along(const SightDirection& normal, const Vector& receiver, bool falls) {
+  const Vector n = of_size_one(vector(normal));
+  const Vector along = cross(n, receiver);
+  return {(falls ? 1.0 : -1.0) * along, 1.1 * length_above(n) / length(along) * (normal.error + 12 * unit)};
+}
+
+/// The ends are nearly opposite where the receiver is close to the light's edge; their plane is known well there. A cut
+/// at height h instead of 0 changes the sum by at most tilt * h.
 void ArcSum::add_crossing(const Ends& e, const SightDirection& normal) {
   const double height_a = horizon_.height(e.a);
   const double height_b = horizon_.height(e.b);
-  const double scale = 1 / (std::fabs(height_a) + std::fabs(height_b));
-  const Vector cut = (scale * std::fabs(height_b)) * e.a + (scale * std::fabs(height_a)) * e.b;
-  error_ += 2 * (1 + horizon_.tilt) * (e.error + 30 * unit);
+  const Cut between = cut_between(e, height_a, height_b);
+  const Cut along = cut_along(normal, horizon_.normal, height_a >= 0);
+  const Cut& cut = between.error <= along.error ? between : along;
+  if (!(cut.error < 0.01)) error_ = HUGE_VAL;
+  error_ += 2 * (1 + horizon_.tilt) * (cut.error + 30 * unit);
+  const double error = e.error + cut.error;
   if (height_a >= 0) {
-    add_arc(ends(e.a, cut, e.error), normal);
-    add_on_horizon(ends(cut, e.b, e.error));
+    add_arc(ends(e.a, cut.direction, error), normal);
+    add_on_horizon(ends(cut.direction, e.b, error));
   } else {
-    add_on_horizon(ends(e.a, cut, e.error));
-    add_arc(ends(cut, e.b, e.error), normal);
+    add_on_horizon(ends(e.a, cut.direction, error));
+    add_arc(ends(cut.direction, e.b, error), normal);
   }
 }
 
-inline void ArcSum::add(const Ends& e, const SightDirection& normal) {
+/// Of at most a right angle, or little more.
+inline void ArcSum::add_part(const Ends& e, const SightDirection& normal) {
   const bool a_above = horizon_.height(e.a) >= 0;
   const bool b_above = horizon_.height(e.b) >= 0;
-  if (!(e.error < 0.01)) error_ = HUGE_VAL;
   if (a_above && b_above) return add_arc(e, normal);
   if (a_above || b_above) return add_crossing(e, normal);
   add_on_horizon(e);
+}
+
+/// A quarter of a turn from its start, a piece passes n x a. Near half a turn both ends may be in the horizon up to
+/// rounding while this is far from it; so the piece is parted there. Bound. The product errs by 6 u and what its factors
+/// are off.
+void ArcSum::add_in_two(const Ends& e, const SightDirection& normal) {
+  const Vector middle = cross(of_size_one(vector(normal)), e.a);
+  const double error = e.error + 1.1 * (e.error + normal.error + 12 * unit);
+  if (!(error < 0.01)) error_ = HUGE_VAL;
+  add_part(ends(e.a, middle, error), normal);
+  add_part(ends(middle, e.b, error), normal);
+}
+
+inline void ArcSum::add(const Ends& e, const SightDirection& normal) {
+  if (!(e.error < 0.01)) error_ = HUGE_VAL;
+  if (dot(e.a, e.b) < 0) return add_in_two(e, normal);
+  add_part(e, normal);
 }
 
 void ArcSum::add(const BoundaryPiece& piece) {

@@ -1,12 +1,13 @@
 #include "shading/light_irradiance.h"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
 #include "geometry/errors.h"
-#include "geometry/rounding.h"
 #include "geometry/visibility/exact_visible_part.h"
+#include "shading/exact_direction.h"
 #include "shading/lambert.h"
 #include "shading/small_lights.h"
 
@@ -18,11 +19,11 @@ constexpr double unit = 0x1p-53;
 /// The widest bound per strength that is taken from the fast level.
 constexpr double widest_bound = 1e-6;
 
-/// Of coordinates rounded to the nearest double; so small that this loses digits, nothing is claimed.
+/// With coordinates that are each off by at most u times themselves; of no direction nothing is claimed.
 SightDirection rounded(const ExactVector& v) {
-  SightDirection d{nearest_double(v.x), nearest_double(v.y), nearest_double(v.z), 1.01 * unit};
-  if (std::fmax(std::fmax(std::fabs(d.x), std::fabs(d.y)), std::fabs(d.z)) < 1e-290) d.error = HUGE_VAL;
-  return d;
+  if (is_zero(v)) return {0, 0, 0, HUGE_VAL};
+  const shading::Vector d = shading::direction_of(v);
+  return {d.x, d.y, d.z, 1.01 * unit};
 }
 
 /// The boundary of one exact polygon; `turned` if it runs clockwise seen from p.
@@ -87,8 +88,10 @@ struct Received {
 
 Irradiance scaled(const Irradiance& e, double strength) {
   if (strength == 0) return {};
+  if (e.value == 0 && e.error_bound == 0) return {};
   const double value = strength * e.value;
-  return {value, 1.001 * strength * e.error_bound + 2 * unit * value};
+  const double underflow = 2 * std::numeric_limits<double>::denorm_min();
+  return {value, 1.001 * strength * e.error_bound + 2 * unit * value + underflow};
 }
 
 }  // namespace

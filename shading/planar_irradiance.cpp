@@ -22,6 +22,22 @@ struct SeenPart {
   int to = 0;
 };
 
+/// What of the interval lies between two numbers; all between them for an interval of no numbers.
+Interval cut(const Interval& i, double low, double high) {
+  return {i.inf() > low ? std::min(i.inf(), high) : low, i.sup() < high ? std::max(i.sup(), low) : high};
+}
+
+/// Divides both by a power of two, to a size that squares well, if they have one that is finite.
+void divide_by_size(Interval& x, Interval& y) {
+  const double size = std::max({-x.inf(), x.sup(), -y.inf(), y.sup()});
+  if (!(size > 0 && size < HUGE_VAL)) return;
+  const int less = -std::ilogb(size);
+  for (const int power : {less / 2, less - less / 2}) {
+    x *= Interval(std::scalbn(1.0, power));
+    y *= Interval(std::scalbn(1.0, power));
+  }
+}
+
 /// Looks from a receiver's point along directions to interval ends.
 class Hemisphere {
  public:
@@ -85,8 +101,10 @@ class Hemisphere {
     }
     x -= receiver_.point.x;
     y -= receiver_.point.y;
-    const Interval nx = receiver_.normal.x, ny = receiver_.normal.y;
-    return (nx * y - ny * x) / (sqrt(nx * nx + ny * ny) * sqrt(x * x + y * y));
+    Interval nx = receiver_.normal.x, ny = receiver_.normal.y;
+    divide_by_size(x, y);
+    divide_by_size(nx, ny);
+    return cut((nx * y - ny * x) / (sqrt(nx * nx + ny * ny) * sqrt(x * x + y * y)), -1, 1);
   }
 
   const planar::Flatland& flatland_;
@@ -110,7 +128,7 @@ BoundedIrradiance planar_irradiance(const planar::Sight& sight, const PlanarRece
   const Interval::Protector upward;
   Interval sum = 0;
   for (const SeenPart& part : parts) sum += hemisphere.integral(part);
-  sum *= Interval(radiance);
+  sum = cut(sum, 0, 2) * Interval(radiance);
   const double value = sum.inf() / 2 + sum.sup() / 2;
   // Rounded upward, as the mode is protected; one step more for the rounding of `value` itself.
   return {value, std::nextafter(std::max(sum.sup() - value, value - sum.inf()), HUGE_VAL)};

@@ -6,6 +6,7 @@
 
 #include "geometry/planar/orientation.h"
 #include "geometry/spatial/orientation.h"
+#include "shading/exact_direction.h"
 #include "shading/vector.h"
 
 namespace gnomon {
@@ -14,10 +15,13 @@ namespace {
 using shading::cross;
 using shading::dot;
 using shading::length;
+using shading::length_above;
+using shading::of_size_one;
+using shading::scaled;
 using shading::Vector;
 
-Vector difference(const Point3& a, const Point3& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
+Vector vector(const Point3& p) {
+  return {p.x, p.y, p.z};
 }
 
 Point3 point_of(const Vector& v) {
@@ -30,12 +34,44 @@ struct Range {
   double high = 0;
 };
 
-Range range(std::span<const Point3> corners, const Vector& direction) {
+Range range(std::span<const Vector> corners, const Vector& direction) {
   Range result;
-  for (const Point3& corner : corners) {
-    const double share = dot(difference(corner, corners[0]), direction) / dot(direction, direction);
+  for (const Vector& corner : corners) {
+    const double share = dot(corner, direction) / dot(direction, direction);
     result = {std::min(result.low, share), std::max(result.high, share)};
   }
+  return result;
+}
+
+/// Of unit length, at right angles to the polygon.
+Vector unit_normal(std::span<const Point3> corners) {
+  std::vector<ExactVector> polygon;
+  for (const Point3& corner : corners) polygon.push_back(exact(corner));
+  const Vector normal = shading::direction_of(doubled_area(polygon));
+  return 1 / length(normal) * normal;
+}
+
+/// The corners relative to the first, all divided by 2^exponent: the largest coordinate is from 1 to 2.
+struct RelativeCorners {
+  std::vector<Vector> corners;
+  int exponent = 0;
+};
+
+RelativeCorners relative_corners(std::span<const Point3> corners) {
+  RelativeCorners result;
+  // A quarter of what differs by more than the largest double.
+  const bool huge =
+      std::any_of(corners.begin(), corners.end(), [](const Point3& p) { return shading::exponent(vector(p)) > 1020; });
+  const int before = huge ? 2 : 0;
+  for (const Point3& corner : corners) {
+    result.corners.push_back(scaled(vector(corner), -before) + -1 * scaled(vector(corners[0]), -before));
+  }
+  int size = shading::exponent(result.corners[1]);
+  for (const Vector& corner : result.corners) {
+    if (length_above(corner) > 0) size = std::max(size, shading::exponent(corner));
+  }
+  for (Vector& corner : result.corners) corner = scaled(corner, -size);
+  result.exponent = size + before;
   return result;
 }
 
@@ -75,17 +111,18 @@ struct FrontPlane {
 
 ReceiverGrid::ReceiverGrid(const ConvexPolygon& receiver, const std::array<std::uint32_t, 2>& shape) : shape_(shape) {
   for (const std::uint32_t i : receiver.corners()) corners_.push_back(receiver.points()[i]);
-  const Vector u = difference(corners_[1], corners_[0]);
-  const Vector side = difference(corners_[2], corners_[1]);
-  const Vector v = side + -(dot(side, u) / dot(u, u)) * u;
-  const Vector normal = cross(u, v);
-  const Range along_u = range(corners_, u);
-  const Range along_v = range(corners_, v);
-  const Vector first = Vector{corners_[0].x, corners_[0].y, corners_[0].z} + along_u.low * u + along_v.low * v;
-  origin_ = point_of(first);
-  u_ = point_of((along_u.high - along_u.low) * u);
-  v_ = point_of((along_v.high - along_v.low) * v);
-  normal_ = point_of(1 / length(normal) * normal);
+  const auto [corners, exponent] = relative_corners(corners_);
+  const Vector normal = unit_normal(corners_);
+  const Vector u = of_size_one(corners[1]);
+  const Vector v = cross(normal, u);
+  const Range along_u = range(corners, u);
+  const Range along_v = range(corners, v);
+  const auto in_true_size = [power = exponent](const Vector& d) { return scaled(d, power); };
+  const Vector first = in_true_size(along_u.low * u + along_v.low * v);
+  origin_ = point_of(vector(corners_[0]) + first);
+  u_ = point_of(in_true_size((along_u.high - along_u.low) * u));
+  v_ = point_of(in_true_size((along_v.high - along_v.low) * v));
+  normal_ = point_of(normal);
 }
 
 Point3 ReceiverGrid::point(std::size_t index) const {

@@ -47,6 +47,7 @@ Rational power_of_two(int exponent) {
 
 /// What was found with all lengths divided by 2^exponent, where the irradiance falls with that power of distance.
 Irradiance in_true_size(const Irradiance& e, int exponent, int power) {
+  if (e.value == 0 && e.error_bound == 0) return {};
   const double least = std::numeric_limits<double>::denorm_min();
   const double value = std::scalbn(e.value, -power * exponent);
   return {value, value < HUGE_VAL ? std::scalbn(e.error_bound, -power * exponent) + least : HUGE_VAL};
@@ -105,6 +106,7 @@ Irradiance end_on(const Stretch& stretch, const Vector& normal) {
   const double b_length = safe_length(rounded(stretch.to));
   const Irradiance cosine = cosine_over(normal, of_size_one(a), 1);
   const double near = 1 / std::fmin(a_length, b_length);
+  if (!(near < HUGE_VAL)) return infinite();
   const double value = near - 1 / std::fmax(a_length, b_length);
   const double error = 16 * unit * near;
   return {cosine.value * value,

@@ -62,7 +62,7 @@ LightVisibility::LightVisibility(Light light, PreparedObstacles obstacles)
 std::optional<Visibility> LightVisibility::fast_answer(const Point3& p) {
   if (obstacles_.may_enclose(p)) return std::nullopt;
   const std::optional<Visibility> seen = std::visit([&](auto& level) { return visibility(level, p); }, fast_);
-  if (!seen || seen->error_bound > widest_bound) return std::nullopt;
+  if (!seen || !(seen->error_bound <= widest_bound)) return std::nullopt;
   return seen;
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <vector>
 
 #include "geometry/errors.h"
@@ -210,6 +211,86 @@ TEST(LightIrradianceRegression, AnEndMuchNearerThanTheOtherKeepsItsDigits) {
     const Irradiance f = across.at({0, 0, 0}, {1, 0, 0});
     EXPECT_LE(f.error_bound, 1e-12 * f.value) << near;
     EXPECT_NEAR(f.value * near, 1 / std::sqrt(1.25), f.error_bound * near + 1e-15) << near;
+  }
+}
+
+/// In 256 bits, of what an area light shows without blockers.
+double true_irradiance(const AreaLight& light, const Point3& p, const Point3& normal) {
+  std::vector<ExactView> views;
+  for (const SeenFacet& facet : exact_visible_part(light, {}, p).facets) {
+    for (const ExactPolygon& polygon : facet.visible) {
+      ExactView& view = views.emplace_back();
+      for (const ExactVector& corner : polygon) {
+        const ExactVector d = corner - exact(p);
+        view.push_back({d.x, d.y, d.z});
+      }
+    }
+  }
+  return reference_irradiance(views, {Rational(normal.x), Rational(normal.y), Rational(normal.z)}, 256).low;
+}
+
+TEST(LightIrradianceRegression, NextToAnEdgeOfALightTheHorizonCutsInTheRightPlace) {
+  struct Case {
+    std::vector<Point3> light;
+    Point3 p;
+    Point3 normal;
+  };
+  const Case cases[] = {
+      {{{-3, 5, 1}, {-1, 6, -6}, {-4, -3, -4}}, {-0x1.fffffffffffffp+0, 5.5, -2.5}, {1, -3, -1}},
+      {{{6, 6, -6}, {4, -3, 3}, {-6, -9, 8}, {-4, 0, -1}}, {0x1.4000000000001p+2, 1.5, -1.5}, {-1, -5, -1}},
+      {{{0, -3, 3}, {-2, -2.5, 2.5}, {1, -1, 4}, {3, 1, 2}}, {-0x1.fffffffffffffp-1, -4, 4}, {1, 3, 4}},
+      {{{0, -1.5, 1.5}, {-1, -1.25, 1.25}, {1, -1, 4}}, {-0x1.fffffffffffffp-2, -1.375, 1.375}, {1, 1.5, 4}},
+      {{{-3, -4, -5}, {1, -3, 3}, {0, -1, 9}, {-4, -2, 1}}, {1, -2, 2}, {2, 3, -4}},
+  };
+  for (const Case& c : cases) {
+    if (ConvexPolygon::defect(c.light)) continue;
+    const AreaLight light{ConvexPolygon::from_points(c.light), true};
+    LightIrradiance irradiance(light, 1, PreparedObstacles({}));
+    const Irradiance e = irradiance.at(c.p, c.normal);
+    EXPECT_NEAR(e.value, true_irradiance(light, c.p, c.normal), e.error_bound + 1e-15) << c.p.x;
+    EXPECT_LE(e.error_bound, 1e-9) << c.p.x;
+  }
+}
+
+/// Thin triangles, seen from beside their sides.
+TEST(LightIrradianceAgreement, BesideTheSidesOfThinLightsBoundsHoldTheTruth) {
+  std::mt19937 engine(7);
+  const auto draw = [&] { return 2.0 * static_cast<double>(engine()) / 4294967296.0 - 1; };
+  for (int round = 0; round < 400; ++round) {
+    const Point3 a{draw(), draw(), draw()};
+    const Point3 b{draw(), draw(), draw()};
+    const double width = std::ldexp(1.0, -static_cast<int>(engine() % 40));
+    const Point3 c{(a.x + b.x) / 2 + width * draw(), (a.y + b.y) / 2 + width * draw(),
+                   (a.z + b.z) / 2 + width * draw()};
+    const std::vector<Point3> corners = {a, b, c};
+    if (ConvexPolygon::defect(corners)) continue;
+    const double t = (draw() + 1) / 2;
+    const double away = std::ldexp(1.0, -static_cast<int>(engine() % 52));
+    const Point3 p{a.x + t * (b.x - a.x) + away * draw(), a.y + t * (b.y - a.y) + away * draw(),
+                   a.z + t * (b.z - a.z) + away * draw()};
+    const Point3 normal{draw(), draw(), draw()};
+    const AreaLight light{ConvexPolygon::from_points(corners), true};
+    LightIrradiance irradiance(light, 1, PreparedObstacles({}));
+    const Irradiance e = irradiance.at(p, normal);
+    ASSERT_NEAR(e.value, true_irradiance(light, p, normal), e.error_bound) << round;
+  }
+}
+
+TEST(LightIrradianceRegression, StrengthsThatUnderflowKeepABound) {
+  LightIrradiance point(PointLight{{0, 0, 1}}, 1e-310, PreparedObstacles({}));
+  LightIrradiance plain(PointLight{{0, 0, 1}}, 1, PreparedObstacles({}));
+  const Irradiance e = point.at({.3, .7, 0}, {.1, .2, .7});
+  EXPECT_NEAR(e.value, 1e-310 * plain.at({.3, .7, 0}, {.1, .2, .7}).value, e.error_bound);
+  EXPECT_GT(e.error_bound, 0);
+}
+
+TEST(LightIrradianceRegression, InUmbraNothingIsGivenExactly) {
+  const std::vector<ConvexBlocker> blockers = {ConvexPolygon::from_points({{-9, -9, 1}, {9, -9, 1}, {0, 9, 1}})};
+  for (const Light& light : {Light(LinearLight{{-1, 0, 2}, {1, 0, 2}}), Light(PointLight{{0, 0, 2}})}) {
+    LightIrradiance irradiance(light, 1, PreparedObstacles({blockers, {}}));
+    const Irradiance e = irradiance.at({0, 0, 0}, {0, 0, 1});
+    EXPECT_EQ(e.value, 0);
+    EXPECT_EQ(e.error_bound, 0);
   }
 }
 

@@ -81,6 +81,18 @@ TEST(PlanarIrradianceDegenerate, OnTheLightsLineNothingArrives) {
   EXPECT_EQ(planar_irradiance(sight({{0, 1}, {0, 2}}, {}), {{0, 0}, {0, 1}}).value, 0);
 }
 
+TEST(PlanarIrradiance, NeitherTheNormalsLengthNorTheSizeOfAllMatters) {
+  for (const int size : {-1000, -520, 0, 300, 900}) {
+    const auto scaled = [&](double x, double y) { return Point2{std::ldexp(x, size), std::ldexp(y, size)}; };
+    const planar::Sight light = sight({scaled(0, 0), scaled(1, 0)}, {});
+    for (const double length : {1e-300, 1e-200, 1.0, 1e200}) {
+      const BoundedIrradiance e = planar_irradiance(light, {scaled(0.5, 1), {0, -length}});
+      EXPECT_NEAR(e.value, 1 / std::sqrt(1.25), e.error) << size << " " << length;
+      EXPECT_LT(e.error, 1e-14) << size << " " << length;
+    }
+  }
+}
+
 TEST(PlanarIrradiance, NeedsALinearLightAndANormal) {
   EXPECT_ANY_THROW(planar_irradiance(sight({{0, 1}}, {}), {{0, 0}, {0, 1}}));
   EXPECT_ANY_THROW(planar_irradiance(sight({{0, 1}, {1, 1}}, {}), {{0, 0}, {0, 0}}));

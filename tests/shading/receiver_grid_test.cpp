@@ -63,6 +63,22 @@ TEST(ReceiverGridProperty, ATiltedReceiverThatBlocksDoesNotDarkenItself) {
   }
 }
 
+TEST(ReceiverGrid, SquaresOfAnySizeHaveFourPointsAndAUnitNormal) {
+  for (const double side : {5e-323, 1e-170, 1e-90, 1.0, 1e80, 1e160, 1e300}) {
+    const ReceiverGrid grid(polygon({{0, 0, 0}, {side, 0, 0}, {side, side, 0}, {0, side, 0}}), {2, 2});
+    EXPECT_EQ(grid.normal(), (Point3{0, 0, 1})) << side;
+    for (std::size_t i = 0; i < grid.size(); ++i) EXPECT_TRUE(grid.is_on_receiver(grid.point(i))) << side;
+    EXPECT_NEAR(grid.point(3).x / side, 0.75, side < 1e-300 ? 0.1 : 1e-15) << side;
+  }
+}
+
+TEST(ReceiverGrid, AnAlmostStraightCornerDoesNotTurnTheNormal) {
+  const ReceiverGrid grid(polygon({{0, 0, 0}, {3, 5, 8}, {6, 10 + 0x1p-48, 16 + 0x1p-48}, {0, 7, 7}}), {2, 2});
+  EXPECT_NEAR(grid.normal().x, -1 / std::sqrt(3), 1e-15);
+  EXPECT_NEAR(grid.normal().y, -1 / std::sqrt(3), 1e-15);
+  EXPECT_NEAR(grid.normal().z, 1 / std::sqrt(3), 1e-15);
+}
+
 TEST(ReceiverGrid, KeepsTheObstaclesThatReachBeforeItsPlane) {
   const ConvexPolygon floor = polygon({{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}});
   const ConvexBlocker above = polygon({{0, 0, -1}, {1, 0, -1}, {0, 0, 1}});
