@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -87,13 +88,22 @@ report::Errors sampling_errors(std::vector<Sampled>& all, std::size_t k) {
   return errors;
 }
 
-/// The least k, by bisection, for which an error is at most 1e-3.
-std::size_t cells_for(std::vector<Sampled>& all, double (*error)(const report::Errors&)) {
-  const auto enough = [&](std::size_t k) { return error(sampling_errors(all, k)) <= 1e-3; };
+/// What was found for each k.
+using ErrorsOfCells = std::map<std::size_t, report::Errors>;
+
+/// The least k for which an error is at most 1e-3, by bisection down to a twentieth.
+std::size_t cells_for(std::vector<Sampled>& all, ErrorsOfCells& found, double (*error)(const report::Errors&)) {
+  const auto enough = [&](std::size_t k) {
+    if (!found.contains(k)) found[k] = sampling_errors(all, k);
+    return error(found[k]) <= 1e-3;
+  };
+  std::size_t least = 2;
   std::size_t most = 4;
-  while (!enough(most) && most < 1024) most *= 2;
-  std::size_t least = most / 2;
-  while (most - least > 1) {
+  while (!enough(most) && most < 1024) {
+    least = most;
+    most = most * 3 / 2;
+  }
+  while (most - least > std::max<std::size_t>(least / 20, 1)) {
     const std::size_t middle = (least + most) / 2;
     (enough(middle) ? most : least) = middle;
   }
@@ -105,8 +115,9 @@ std::size_t cells_for(std::vector<Sampled>& all, double (*error)(const report::E
 void visibility_embree(benchmark::State& state) {
   std::vector<Sampled> all;
   for (report::TriangleScene& scene : report::triangle_scenes(blockers(state))) all.emplace_back(std::move(scene));
-  const std::size_t of_mean = cells_for(all, [](const report::Errors& e) { return e.rms / e.mean; });
-  const std::size_t k = cells_for(all, [](const report::Errors& e) { return e.relative_rms; });
+  ErrorsOfCells found;
+  const std::size_t of_mean = cells_for(all, found, [](const report::Errors& e) { return e.rms / e.mean; });
+  const std::size_t k = cells_for(all, found, [](const report::Errors& e) { return e.relative_rms; });
   for (Sampled& one : all) one.sight.place(report::Placing::stratified, k);
   std::size_t next = 0;
   for (auto unused : state) {
