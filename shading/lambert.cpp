@@ -217,8 +217,8 @@ inline void ArcSum::add_part(const Ends& e, const SightDirection& normal) {
 }
 
 /// A quarter of a turn from its start, a piece passes n x a. Near half a turn both ends may be in the horizon up to
-/// rounding while this is far from it; so the piece is parted there. Bound. The product errs by 6 u and what its factors
-/// are off.
+/// rounding while this is far from it; so the piece is parted there. Bound. The product errs by 6 u and what its
+/// factors are off.
 void ArcSum::add_in_two(const Ends& e, const SightDirection& normal) {
   const Vector middle = cross(of_size_one(vector(normal)), e.a);
   const double error = e.error + 1.1 * (e.error + normal.error + 12 * unit);

@@ -1,7 +1,6 @@
 #include "shading/light_irradiance.h"
 
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -90,8 +89,7 @@ Irradiance scaled(const Irradiance& e, double strength) {
   if (strength == 0) return {};
   if (e.value == 0 && e.error_bound == 0) return {};
   const double value = strength * e.value;
-  const double underflow = 2 * std::numeric_limits<double>::denorm_min();
-  return {value, 1.001 * strength * e.error_bound + 2 * unit * value + underflow};
+  return {value, shading::with_underflow(1.001 * strength * e.error_bound + 2 * unit * value)};
 }
 
 }  // namespace

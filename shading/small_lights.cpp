@@ -20,6 +20,7 @@ using shading::length_above;
 using shading::of_size_one;
 using shading::scaled;
 using shading::Vector;
+using shading::with_underflow;
 
 constexpr double unit = 0x1p-53;
 
@@ -48,9 +49,8 @@ Rational power_of_two(int exponent) {
 /// What was found with all lengths divided by 2^exponent, where the irradiance falls with that power of distance.
 Irradiance in_true_size(const Irradiance& e, int exponent, int power) {
   if (e.value == 0 && e.error_bound == 0) return {};
-  const double least = std::numeric_limits<double>::denorm_min();
   const double value = std::scalbn(e.value, -power * exponent);
-  return {value, value < HUGE_VAL ? std::scalbn(e.error_bound, -power * exponent) + least : HUGE_VAL};
+  return {value, value < HUGE_VAL ? with_underflow(std::scalbn(e.error_bound, -power * exponent)) : HUGE_VAL};
 }
 
 /// Whatever the size.

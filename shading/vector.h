@@ -3,6 +3,7 @@
 /// Vectors in doubles. Private to this folder.
 
 #include <cmath>
+#include <limits>
 
 #include "geometry/point.h"
 #include "geometry/visibility/fast_visibility.h"
@@ -70,6 +71,11 @@ inline Vector scaled(const Vector& a, int power) {
 /// is far below rounding.
 inline Vector of_size_one(const Vector& a) {
   return scaled(a, -exponent(a));
+}
+
+/// A bound that also covers what underflows in the value or in the bound. Subnormals are slow: few see one.
+inline double with_underflow(double bound) {
+  return bound < 1e-290 ? bound + 2 * std::numeric_limits<double>::denorm_min() : bound;
 }
 
 /// At least the length, and less than twice it.
