@@ -276,6 +276,29 @@ TEST(LightIrradianceAgreement, BesideTheSidesOfThinLightsBoundsHoldTheTruth) {
   }
 }
 
+TEST(LightIrradianceRegression, ALightWhoseNormalUnderflowsIsCutAtTheHorizonAsAnyOther) {
+  for (const int size : {-1000, -600, 0, 400}) {
+    const auto scaled = [&](double x, double y, double z) {
+      return Point3{std::ldexp(x, size), std::ldexp(y, size), std::ldexp(z, size)};
+    };
+    const AreaLight light{
+        ConvexPolygon::from_points({scaled(-3, -4, -5), scaled(1, -3, 3), scaled(0, -1, 9), scaled(-4, -2, 1)}), true};
+    LightIrradiance irradiance(light, 1, PreparedObstacles({}));
+    const Irradiance e = irradiance.at(scaled(1, -2, 2), {2, 3, -4});
+    EXPECT_NEAR(e.value, 0.0097019449378414613, e.error_bound) << size;
+    EXPECT_LE(e.error_bound, 1e-9) << size;
+  }
+}
+
+TEST(LightIrradianceRegression, AnIntervalThatBeginsAtThePointIsInfiniteAndNeverNoNumber) {
+  const LinearLight light{{1, 1, 0}, {-1, 0, 1}};
+  const Rational least(5e-324);
+  const std::vector<std::array<Rational, 2>> intervals = {{Rational(0), least}, {least, least}};
+  const Irradiance e = linear_irradiance(light, intervals, {1, 1, 0}, {-1, 1, -0x1.fffffffffffffp-1});
+  EXPECT_EQ(e.value, HUGE_VAL);
+  EXPECT_EQ(e.error_bound, HUGE_VAL);
+}
+
 TEST(LightIrradianceRegression, StrengthsThatUnderflowKeepABound) {
   LightIrradiance point(PointLight{{0, 0, 1}}, 1e-310, PreparedObstacles({}));
   LightIrradiance plain(PointLight{{0, 0, 1}}, 1, PreparedObstacles({}));
