@@ -73,12 +73,6 @@ struct Ends {
   double error = 0;    ///< the sum of how far each is off, in parts of its length
 };
 
-/// Where a piece crosses the horizon, and how far it may be off, in parts of its length.
-struct Cut {
-  Vector direction;
-  double error = 0;
-};
-
 Ends ends(const Vector& a, const Vector& b, double error) {
   return {a, b, 1 / std::sqrt(dot(a, a) * dot(b, b)), error};
 }
@@ -168,42 +162,22 @@ void ArcSum::add_on_horizon(const Ends& e) {
   add_term(angle, std::numbers::pi - std::fabs(angle) < 4 * error ? HUGE_VAL : error);
 }
 
-/// Where a piece crosses the horizon, by its ends. Bound. In the plane of both it is off by what they are and by
-/// rounding, times what is lost where they cancel.
-Cut cut_between(const Ends& e, double height_a, double height_b) {
-  const double scale = 1 / (std::fabs(height_a) + std::fabs(height_b));
-  const double share_a = scale * std::fabs(height_b);
-  const double share_b = scale * std::fabs(height_a);
-  const Vector cut = share_a * e.a + share_b * e.b;
-  const double lost = (share_a * length_above(e.a) + share_b * length_above(e.b)) / length(cut);
-  return {cut, 1.01 * lost * (e.error + 20 * unit)};
-}
-
-/// The same, by the piece's plane, which passes from above to below along n x N. Bound. The product errs by 6 u and
-/// what its factors are off, in parts of their lengths.
-Cut cut_along(const SightDirection& normal, const Vector& receiver, bool falls) {
-  const Vector n = of_size_one(vector(normal));
-  const Vector along = cross(n, receiver);
-  return {(falls ? 1.0 : -1.0) * along, 1.1 * length_above(n) / length(along) * (normal.error + 12 * unit)};
-}
-
-/// The ends are nearly opposite where the receiver is close to the light's edge; their plane is known well there. A cut
-/// at height h instead of 0 changes the sum by at most tilt * h.
+/// Bound. Where exactly the piece is cut hardly matters: a cut at height h instead of 0 changes the sum by at most tilt
+/// * h. The ends are about a right angle apart at most, so they do not cancel: the cut is off by 1.5 times what they
+/// are.
 void ArcSum::add_crossing(const Ends& e, const SightDirection& normal) {
   const double height_a = horizon_.height(e.a);
   const double height_b = horizon_.height(e.b);
-  const Cut between = cut_between(e, height_a, height_b);
-  const Cut along = cut_along(normal, horizon_.normal, height_a >= 0);
-  const Cut& cut = between.error <= along.error ? between : along;
-  if (!(cut.error < 0.01)) error_ = HUGE_VAL;
-  error_ += 2 * (1 + horizon_.tilt) * (cut.error + 30 * unit);
-  const double error = e.error + cut.error;
+  const double scale = 1 / (std::fabs(height_a) + std::fabs(height_b));
+  const Vector cut = (scale * std::fabs(height_b)) * e.a + (scale * std::fabs(height_a)) * e.b;
+  const double cut_error = 1.5 * (e.error + 20 * unit);
+  error_ += 2 * (1 + horizon_.tilt) * (cut_error + 30 * unit);
   if (height_a >= 0) {
-    add_arc(ends(e.a, cut.direction, error), normal);
-    add_on_horizon(ends(cut.direction, e.b, error));
+    add_arc(ends(e.a, cut, e.error + cut_error), normal);
+    add_on_horizon(ends(cut, e.b, e.error + cut_error));
   } else {
-    add_on_horizon(ends(e.a, cut.direction, error));
-    add_arc(ends(cut.direction, e.b, error), normal);
+    add_on_horizon(ends(e.a, cut, e.error + cut_error));
+    add_arc(ends(cut, e.b, e.error + cut_error), normal);
   }
 }
 
