@@ -8,6 +8,8 @@ function(gnomon_target name)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # What g++ 12 gets wrong in headers not ours: std::optional of a GMP number, and std::string's operator+.
     target_compile_options(${name} PRIVATE -Wno-maybe-uninitialized -Wno-restrict -Wno-stringop-overflow)
+    # A batch of a unity build is no header, but g++ takes the files in it for headers.
+    target_compile_options(${name} PRIVATE -Wno-subobject-linkage)
   endif()
   if(GNOMON_WARNINGS_AS_ERRORS)
     target_compile_options(${name} PRIVATE -Werror)
@@ -24,4 +26,34 @@ function(gnomon_precompile name)
       target_compile_options(${name} PRIVATE -Wno-array-bounds)
     endif()
   endif()
+endfunction()
+
+# gnomon_unity(NAME SIZE): the target's sources are compiled in batches of at most SIZE neighbours of one folder, so that
+# headers are read once a batch. Files of a batch share their anonymous namespaces: names in these differ within a folder.
+function(gnomon_unity name size)
+  get_target_property(sources ${name} SOURCES)
+  set(last_folder "none")
+  set(batch 0)
+  set(count 0)
+  foreach(source IN LISTS sources)
+    cmake_path(GET source PARENT_PATH folder)
+    if(NOT folder STREQUAL last_folder OR count GREATER_EQUAL size)
+      math(EXPR batch "${batch} + 1")
+      set(count 0)
+      set(last_folder "${folder}")
+    endif()
+    math(EXPR count "${count} + 1")
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${batch})
+  endforeach()
+  set_target_properties(${name} PROPERTIES UNITY_BUILD_MODE GROUP)
+endfunction()
+
+# gnomon_man_page(PROGRAM): man/PROGRAM.1 in the build folder, from what the program says of itself.
+function(gnomon_man_page program)
+  set(man_page ${PROJECT_BINARY_DIR}/man/${program}.1)
+  add_custom_command(OUTPUT ${man_page} VERBATIM
+    COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:${program}> -DVERSION=${PROJECT_VERSION} -DOUT=${man_page}
+      -P ${PROJECT_SOURCE_DIR}/cmake/man_page.cmake
+    DEPENDS ${program} ${PROJECT_SOURCE_DIR}/cmake/man_page.cmake)
+  add_custom_target(${program}_man_page ALL DEPENDS ${man_page})
 endfunction()

@@ -21,6 +21,7 @@ function(gnomon_test name)
   endif()
   add_executable(${name} ${arg_SOURCES})
   gnomon_target(${name})
+  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} GTest::gmock_main rapidcheck_gtest)
   gnomon_precompile(${name} <gmock/gmock.h> <gtest/gtest.h> <rapidcheck/gtest.h>)
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60

@@ -1,12 +1,17 @@
 # What `cmake --install` puts where: the program, the libraries, their public headers below include/gnomon, and the package
 # that find_package(gnomon CONFIG) reads. The viz library has a file of its own there, because it alone needs VTK.
 # A header is public if all it includes is public too, or the standard library's.
+# With GNOMON_PROOF gnomon-proof is installed too, as a component of its own.
 include(CMakePackageConfigHelpers)
 
 set(gnomon_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/gnomon)
 
 install(TARGETS gnomon)
-install(FILES ${PROJECT_BINARY_DIR}/apps/gnomon/gnomon.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES ${PROJECT_BINARY_DIR}/man/gnomon.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+if(GNOMON_PROOF)
+  install(TARGETS gnomon-proof COMPONENT proof)
+  install(FILES ${PROJECT_BINARY_DIR}/man/gnomon-proof.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT proof)
+endif()
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 install(FILES cmake/gnomon.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME gnomon)
 install(FILES viz/gnomon_reader.py DESTINATION ${CMAKE_INSTALL_DATADIR}/gnomon/paraview)

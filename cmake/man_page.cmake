@@ -1,5 +1,5 @@
 # cmake -DPROGRAM=gnomon -DVERSION=1.2.3 -DOUT=gnomon.1 -P man_page.cmake
-# Writes the manual page from what the program says of itself: its own help, then that of every command it lists.
+# Writes the manual page from what the program says of itself: its own help, then that of every command it runs itself.
 function(help_of out)
   execute_process(COMMAND ${PROGRAM} ${ARGN} --help OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
   set(${out} "${text}" PARENT_SCOPE)
@@ -20,10 +20,13 @@ help_of(main)
 string(REGEX MATCH "Commands:\n(  [^\n]*\n)+" list "${main}")
 string(REGEX MATCHALL "\n  [a-z]+" commands "${list}")
 
+cmake_path(GET PROGRAM FILENAME name)
+string(TOUPPER ${name} heading)
+string(REPLACE "-" "\\-" name "${name}")
 roff(body "${main}")
-string(CONCAT page ".TH GNOMON 1 \"\" \"gnomon ${VERSION}\" \"User Commands\"\n"
-  ".SH NAME\ngnomon \\- exact shadow geometry\n"
-  ".SH SYNOPSIS\n.B gnomon\n\\fICOMMAND\\fR [\\fIOPTIONS\\fR]\n.SH DESCRIPTION\n" "${body}")
+string(CONCAT page ".TH ${heading} 1 \"\" \"gnomon ${VERSION}\" \"User Commands\"\n"
+  ".SH NAME\n${name} \\- exact shadow geometry\n"
+  ".SH SYNOPSIS\n.B ${name}\n\\fICOMMAND\\fR [\\fIOPTIONS\\fR]\n.SH DESCRIPTION\n" "${body}")
 foreach(command IN LISTS commands)
   string(STRIP "${command}" command)
   help_of(text ${command})

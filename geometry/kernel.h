@@ -4,6 +4,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Interval_nt.h>
+#include <CGAL/Mpzf.h>
 #include <CGAL/boost_mp.h>
 
 #include "geometry/point.h"
@@ -16,6 +17,15 @@ using InputKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 /// Exact arithmetic for constructed points and measures.
 /// Operations return expression templates: name the type of a result, never `auto`.
 using Rational = boost::multiprecision::mpq_rational;
+
+/// Exact sums and products of doubles.
+using ExactReal = CGAL::Mpzf;
+
+inline Rational rational(const ExactReal& number) {
+  Rational result;
+  number.export_to_mpq_t(result.backend().data());
+  return result;
+}
 
 /// Encloses a real number; valid while the rounding mode is protected.
 using Interval = CGAL::Interval_nt<false>;

@@ -19,13 +19,12 @@ using shading::of_size_one;
 using shading::Pair;
 using shading::square_root;
 using shading::twice;
+using shading::unit;
 using shading::Vector;
 using shading::vector;
 using shading::VectorOf;
 using shading::VectorPair;
 using shading::vectors;
-
-constexpr double unit = 0x1p-53;
 
 /// Of a squared length: it and its products with others are far from what overflows or loses digits.
 constexpr double least_tame = 1e-60;

@@ -13,7 +13,7 @@
 namespace gnomon {
 namespace {
 
-constexpr double unit = 0x1p-53;
+using shading::unit;
 
 /// The widest bound per strength that is taken from the fast level.
 constexpr double widest_bound = 1e-6;

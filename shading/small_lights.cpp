@@ -19,13 +19,12 @@ using shading::length;
 using shading::length_above;
 using shading::of_size_one;
 using shading::scaled;
+using shading::unit;
 using shading::Vector;
 using shading::with_underflow;
 
-constexpr double unit = 0x1p-53;
-
 /// The nearest doubles: each coordinate is off by at most u times itself.
-Vector rounded(const ExactVector& v) {
+Vector nearest_vector(const ExactVector& v) {
   return {nearest_double(v.x), nearest_double(v.y), nearest_double(v.z)};
 }
 
@@ -37,7 +36,7 @@ Vector direction(const Point3& p) {
 /// The binary exponent of the largest coordinate, which is a difference of doubles.
 int exponent(const ExactVector& v) {
   if (is_zero(v)) return std::numeric_limits<double>::min_exponent - std::numeric_limits<double>::digits;
-  const Vector nearest = rounded(v);
+  const Vector nearest = nearest_vector(v);
   return length_above(nearest) < HUGE_VAL ? exponent(nearest) : std::numeric_limits<double>::max_exponent;
 }
 
@@ -101,9 +100,9 @@ std::optional<Stretch> above_horizon(Stretch stretch, const ExactVector& normal)
 /// Seen end-on: the integral of 1 / r², at one cosine.
 Irradiance end_on(const Stretch& stretch, const Vector& normal) {
   if (dot(stretch.from, stretch.to) <= 0) return infinite();
-  const Vector a = rounded(stretch.from);
+  const Vector a = nearest_vector(stretch.from);
   const double a_length = safe_length(a);
-  const double b_length = safe_length(rounded(stretch.to));
+  const double b_length = safe_length(nearest_vector(stretch.to));
   const Irradiance cosine = cosine_over(normal, of_size_one(a), 1);
   const double near = 1 / std::fmin(a_length, b_length);
   if (!(near < HUGE_VAL)) return infinite();
@@ -153,9 +152,9 @@ Irradiance seen_across(const End& a, const End& b, const Crosswise& light) {
 }
 
 Irradiance seen_across(const Stretch& stretch, const Vector& normal) {
-  const Vector from = rounded(stretch.from);
-  const Vector to = rounded(stretch.to);
-  return seen_across({from}, {to}, crosswise(from, rounded(stretch.to - stretch.from), normal));
+  const Vector from = nearest_vector(stretch.from);
+  const Vector to = nearest_vector(stretch.to);
+  return seen_across({from}, {to}, crosswise(from, nearest_vector(stretch.to - stretch.from), normal));
 }
 
 /// Bound. The product and the sum are rounded: 3 u of the light's length and of the start, in each coordinate.

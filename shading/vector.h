@@ -11,6 +11,9 @@
 
 namespace gnomon::shading {
 
+/// The largest relative error of one rounding.
+inline constexpr double unit = 0x1p-53;
+
 /// Of doubles, or of several at once.
 template <class Number>
 struct VectorOf {

@@ -14,7 +14,7 @@ namespace gnomon::viz {
 namespace {
 
 constexpr double elevation = 24 * std::numbers::pi / 180;
-constexpr double words = 10;  ///< half the height of a label, in pixels
+constexpr double label_half_height = 10;  ///< in pixels
 
 Point3 middle_of(const std::vector<PictureBlock>& blocks) {
   Point3 sum;
@@ -90,7 +90,7 @@ PictureView framed(const PictureScene& scene, const Point3& toward, const Point3
   const Point3 upward = cross(toward, right);
   std::vector<Point3> points = visible_points(scene);
   for (const PictureLabel& label : picture_labels(scene, up)) points.push_back(label.at);
-  const double margin = 1 / (1 - 2 * std::max(0.03, words / size.height));
+  const double margin = 1 / (1 - 2 * std::max(0.03, label_half_height / size.height));
   PictureView view{{}, points.empty() ? Point3{} : points.front(), up};
   const double half_height = std::tan(view.angle / 2 * std::numbers::pi / 180);
   const double half_width = half_height * size.width / size.height;

@@ -54,10 +54,10 @@ ExitCode receivers_command(Arguments arguments);
 /// `gnomon render`: a picture of a scene or of a folder written by `gnomon shadow`.
 ExitCode render_command(Arguments arguments);
 
-/// `gnomon theorems`: the statements of the theory, checked case by case; the false ones with counterexamples.
-ExitCode theorems_command(Arguments arguments);
-
-/// `gnomon report`: speed against error, and hard cases, with tables and plots.
-ExitCode report_command(Arguments arguments);
+/// `gnomon theorems` and `gnomon report`: hands over to the program gnomon-proof, found beside this one or on the path.
+///
+/// Returns: never; the process is gnomon-proof from then on.
+/// Throws:  UnsupportedError saying how to get gnomon-proof, where it is not there.
+ExitCode proof_command(const std::string& command, Arguments arguments);
 
 }  // namespace gnomon

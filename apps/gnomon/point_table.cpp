@@ -15,7 +15,7 @@ namespace gnomon {
 namespace {
 
 constexpr std::size_t longest_line = 1 << 16;
-constexpr std::array<std::string_view, 6> names = {"x", "y", "z", "nx", "ny", "nz"};
+constexpr std::array<std::string_view, 6> column_names = {"x", "y", "z", "nx", "ny", "nz"};
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
@@ -69,14 +69,14 @@ std::size_t number_count(TableColumns columns) {
 
 std::string expected_header(std::size_t numbers) {
   std::string header = "\"x";
-  for (std::size_t i = 1; i < numbers; ++i) header += ',' + std::string(names[i]);
+  for (std::size_t i = 1; i < numbers; ++i) header += ',' + std::string(column_names[i]);
   return header + '"';
 }
 
 bool starts_with_names(const std::vector<std::string_view>& fields, std::size_t numbers) {
   if (fields.size() < numbers) return false;
   for (std::size_t i = 0; i < numbers; ++i) {
-    if (fields[i] != names[i]) return false;
+    if (fields[i] != column_names[i]) return false;
   }
   return true;
 }
@@ -109,8 +109,8 @@ std::optional<std::variant<PointRow, MalformedRow>> PointTable::next() {
   for (std::size_t i = 0; i < numbers_; ++i) {
     const std::optional<double> value = finite_number(fields[i]);
     if (!value) {
-      return MalformedRow{line_,
-                          std::string(names[i]) + ": found " + excerpt(fields[i]) + ", expected a finite number"};
+      return MalformedRow{
+          line_, std::string(column_names[i]) + ": found " + excerpt(fields[i]) + ", expected a finite number"};
     }
     (i < 3 ? row.coordinates : row.normal)[i % 3] = *value;
   }

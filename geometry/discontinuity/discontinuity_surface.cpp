@@ -62,9 +62,9 @@ class SurfaceBuilder {
 
  private:
   Quadruple<Rational> homogeneous(event::PointId id) const {
-    const auto exact = event::coordinates<event::ExactReal>(scene_.points[id]);
+    const auto exact = event::coordinates<ExactReal>(scene_.points[id]);
     Quadruple<Rational> result;
-    for (std::size_t k = 0; k < 4; ++k) result[k] = event::rational(exact[k]);
+    for (std::size_t k = 0; k < 4; ++k) result[k] = rational(exact[k]);
     return result;
   }
 
@@ -72,8 +72,8 @@ class SurfaceBuilder {
 
   Place place(const Pencil& pencil, event::NodeId node) const {
     const auto e = pencil.exact(node);
-    const Rational y = event::rational(e[1]), z = event::rational(e[2]), sum = y + z;
-    const Rational depth = event::rational(e[0]) / sum;
+    const Rational y = rational(e[1]), z = rational(e[2]), sum = y + z;
+    const Rational depth = rational(e[0]) / sum;
     return {z / sum, towards_ ? Rational(-depth) : depth};
   }
 

@@ -6,15 +6,10 @@
 #include <cstdint>
 #include <optional>
 
-#include <CGAL/Mpzf.h>
-
 #include "geometry/kernel.h"
 #include "geometry/point.h"
 
 namespace gnomon::event {
-
-/// Exact sums and products of doubles.
-using ExactReal = CGAL::Mpzf;
 
 /// Homogeneous coordinates (x, y, z, w), w positive, or 0 for a direction.
 template <class Number>
@@ -31,6 +26,10 @@ struct EventPoint {
 /// The coordinates in intervals or exact numbers.
 template <class Number>
 Quadruple<Number> coordinates(const EventPoint& point);
+template <>
+Quadruple<ExactReal> coordinates(const EventPoint& point);
+template <>
+Quadruple<Interval> coordinates(const EventPoint& point);
 
 /// The volume of the simplex v, a, b, c, up to a positive factor that depends on each point alone: positive if c lies
 /// on the side of the plane (v, a, b) from which these run counterclockwise.

@@ -8,12 +8,6 @@ const Rational& coordinate(const ExactVector& v, std::size_t axis) {
   return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
 
-Rational rational(const ExactReal& number) {
-  Rational result;
-  number.export_to_mpq_t(result.backend().data());
-  return result;
-}
-
 ExactVector affine(const Quadruple<ExactReal>& point) {
   const Rational w = rational(point[3]);
   return {rational(point[0]) / w, rational(point[1]) / w, rational(point[2]) / w};

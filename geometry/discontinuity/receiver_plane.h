@@ -45,8 +45,6 @@ class ReceiverPlane {
 /// Coordinates by number.
 const Rational& coordinate(const ExactVector& v, std::size_t axis);
 
-Rational rational(const ExactReal& number);
-
 /// The point with homogeneous coordinates; w is not 0.
 ExactVector affine(const Quadruple<ExactReal>& point);
 

@@ -2,12 +2,10 @@
 
 #include <utility>
 
+#include "geometry/planar/light_line.h"
+
 namespace gnomon::planar {
 namespace {
-
-ExactPoint exact(const Point2& p) {
-  return {Rational(p.x), Rational(p.y)};
-}
 
 /// The half-plane left of a side: a x + b y + c >= 0.
 struct HalfPlane {

@@ -4,6 +4,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "geometry/boxes.h"
+#include "geometry/disjoint_sets.h"
 #include "geometry/errors.h"
 #include "geometry/planar/event_arrangement.h"
 #include "geometry/planar/partition.h"
@@ -24,22 +26,6 @@ bool same_names(const VisibleLight& a, const VisibleLight& b) {
     return one.from.name == other.from.name && one.to.name == other.to.name;
   });
 }
-
-/// Sets that grow together.
-class Groups {
- public:
-  explicit Groups(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0U); }
-
-  std::uint32_t of(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-
-  void unite(std::uint32_t i, std::uint32_t j) { parent_[of(i)] = of(j); }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 /// From the arrangement to the partition: labels for its faces, edges where labels differ, faces between these edges.
 class Builder {
@@ -127,7 +113,7 @@ class Builder {
   static bool stays(Halfedge edge) { return edge->data() != gone; }
 
   void number_faces() {
-    Groups groups(seen_.size());
+    DisjointSets groups(seen_.size());
     for (auto edge = arrangement_.edges_begin(); edge != arrangement_.edges_end(); ++edge) {
       if (stays(edge)) continue;
       const std::uint32_t left = edge->face()->data(), right = edge->twin()->face()->data();
@@ -270,12 +256,6 @@ class Builder {
   std::vector<bool> outside_;           ///< of the box
   std::vector<std::uint32_t> face_of_;  ///< the partition's face of each face
 };
-
-bool has_interior(const Box2& box) {
-  const bool finite =
-      std::isfinite(box.min.x) && std::isfinite(box.min.y) && std::isfinite(box.max.x) && std::isfinite(box.max.y);
-  return finite && box.min.x < box.max.x && box.min.y < box.max.y;
-}
 
 }  // namespace
 

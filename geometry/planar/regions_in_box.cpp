@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/boxes.h"
 #include "geometry/errors.h"
 #include "geometry/planar/exact_polygon.h"
 #include "geometry/rounding.h"
@@ -41,12 +42,6 @@ std::vector<LineInBox> lines_in_box(const ShadowRegions& regions, const Box2& bo
     if (ends) lines.push_back({line, rounded((*ends)[0]), rounded((*ends)[1])});
   }
   return lines;
-}
-
-bool has_interior(const Box2& box) {
-  const bool finite =
-      std::isfinite(box.min.x) && std::isfinite(box.min.y) && std::isfinite(box.max.x) && std::isfinite(box.max.y);
-  return finite && box.min.x < box.max.x && box.min.y < box.max.y;
 }
 
 }  // namespace

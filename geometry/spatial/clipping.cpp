@@ -9,13 +9,13 @@ namespace gnomon {
 namespace {
 
 using Index = HalfEdgePolyhedron::Index;
-constexpr Index none = HalfEdgePolyhedron::none;
+constexpr Index no_cut = HalfEdgePolyhedron::none;
 
 /// The planes still to come, each waiting at a vertex outside of it.
 class Waiting {
  public:
   Waiting(const ExactSpace& space, const HalfEdgePolyhedron& polyhedron, const std::vector<Cut>& cuts)
-      : space_(space), cuts_(cuts), vertex_(cuts.size(), none), next_(cuts.size(), none) {
+      : space_(space), cuts_(cuts), vertex_(cuts.size(), no_cut), next_(cuts.size(), no_cut) {
     for (std::size_t i = 0; i < cuts.size(); ++i) {
       const std::optional<Index> found =
           cuts[i].outside ? polyhedron.index_of(*cuts[i].outside) : polyhedron.vertex_outside(cuts[i].plane);
@@ -27,13 +27,13 @@ class Waiting {
 
   /// Moves those that waited at a vertex now gone to one of the new face.
   void move(const HalfEdgePolyhedron& polyhedron, std::size_t done) {
-    vertex_[done] = none;
+    vertex_[done] = no_cut;
     for (const Index gone : polyhedron.removed()) {
       if (gone >= first_.size()) continue;
-      Index cut = std::exchange(first_[gone], none);
-      while (cut != none) {
+      Index cut = std::exchange(first_[gone], no_cut);
+      while (cut != no_cut) {
         const Index following = next_[cut];
-        if (vertex_[cut] != none) find_place(polyhedron, cut);
+        if (vertex_[cut] != no_cut) find_place(polyhedron, cut);
         cut = following;
       }
     }
@@ -41,12 +41,12 @@ class Waiting {
 
  private:
   void place(Index cut, Index vertex) {
-    if (vertex >= first_.size()) first_.resize(vertex + 1, none);
+    if (vertex >= first_.size()) first_.resize(vertex + 1, no_cut);
     vertex_[cut] = vertex;
     next_[cut] = std::exchange(first_[vertex], cut);
   }
   void find_place(const HalfEdgePolyhedron& polyhedron, Index cut) {
-    vertex_[cut] = none;
+    vertex_[cut] = no_cut;
     for (const Index v : polyhedron.boundary()) {
       if (space_.side(cuts_[cut].plane, polyhedron.id(v)) > 0) return place(cut, v);
     }
@@ -79,7 +79,7 @@ ConvexPolyhedron clipped(ExactSpace& space, const ConvexPolyhedron& polyhedron, 
   HalfEdgePolyhedron result(space, polyhedron);
   Waiting waiting(space, result, cuts);
   for (std::size_t i = 0; i < cuts.size() && !result.empty(); ++i) {
-    if (waiting.vertex(i) == none) continue;
+    if (waiting.vertex(i) == no_cut) continue;
     result.cut(cuts[i].plane, waiting.vertex(i));
     waiting.move(result, i);
   }

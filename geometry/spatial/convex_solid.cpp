@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "geometry/disjoint_sets.h"
 #include "geometry/errors.h"
 #include "geometry/kernel.h"
 #include "geometry/spatial/hull_triangles.h"
@@ -14,7 +15,7 @@
 namespace gnomon {
 namespace {
 
-using Loop = std::vector<std::uint32_t>;
+using CornerLoop = std::vector<std::uint32_t>;
 
 bool are_finite(std::span<const Point3> points) {
   const auto finite = [](const Point3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); };
@@ -69,21 +70,6 @@ std::vector<HalfEdge> paired_half_edges(const std::vector<HullTriangle>& triangl
   return result;
 }
 
-/// Sets that grow together.
-class Groups {
- public:
-  explicit Groups(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
-
-  std::uint32_t of(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void unite(std::uint32_t i, std::uint32_t j) { parent_[of(i)] = of(j); }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 bool are_coplanar(std::span<const Point3> points, const HullTriangle& s, const HullTriangle& t) {
   const auto is_corner_of_s = [&](std::uint32_t i) { return std::find(s.begin(), s.end(), i) != s.end(); };
   const std::uint32_t other = *std::find_if_not(t.begin(), t.end(), is_corner_of_s);
@@ -93,14 +79,15 @@ bool are_coplanar(std::span<const Point3> points, const HullTriangle& s, const H
 /// The half-edges between facets, ordered by facet and then by where they start; `face` is the facet's group.
 std::vector<HalfEdge> facet_half_edges(std::span<const Point3> points, const std::vector<HullTriangle>& triangles) {
   const std::vector<HalfEdge> halves = paired_half_edges(triangles);
-  Groups groups(triangles.size());
+  DisjointSets groups(triangles.size());
   for (std::size_t i = 0; i < halves.size(); i += 2) {
     const std::uint32_t s = halves[i].face, t = halves[i + 1].face;
     if (are_coplanar(points, triangles[s], triangles[t])) groups.unite(s, t);
   }
   std::vector<HalfEdge> result;
   for (std::size_t i = 0; i < halves.size(); i += 2) {
-    const std::uint32_t s = groups.of(halves[i].face), t = groups.of(halves[i + 1].face);
+    const auto s = static_cast<std::uint32_t>(groups.of(halves[i].face));
+    const auto t = static_cast<std::uint32_t>(groups.of(halves[i + 1].face));
     if (s == t) continue;
     result.push_back({halves[i].from, halves[i].to, s});
     result.push_back({halves[i + 1].from, halves[i + 1].to, t});
@@ -111,13 +98,13 @@ std::vector<HalfEdge> facet_half_edges(std::span<const Point3> points, const std
 }
 
 /// The loop made of half-edges ordered by where they start, without the vertices between collinear ones.
-Loop strict_loop(std::span<const Point3> points, std::span<const HalfEdge> halves) {
-  Loop all;
+CornerLoop strict_loop(std::span<const Point3> points, std::span<const HalfEdge> halves) {
+  CornerLoop all;
   for (std::uint32_t at = halves.front().from; all.empty() || at != all.front();) {
     all.push_back(at);
     at = std::lower_bound(halves.begin(), halves.end(), at, [](const auto& h, auto from) { return h.from < from; })->to;
   }
-  Loop strict;
+  CornerLoop strict;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Point3& before = points[all[i == 0 ? all.size() - 1 : i - 1]];
     const Point3& after = points[all[i + 1 == all.size() ? 0 : i + 1]];
@@ -143,7 +130,7 @@ std::vector<ConvexSolid::Facet> merged_facets(std::span<const Point3> points,
 std::vector<ConvexSolid::Edge> edges_of(std::span<const ConvexSolid::Facet> facets) {
   std::vector<HalfEdge> halves;
   for (std::uint32_t f = 0; f < facets.size(); ++f) {
-    const Loop& loop = facets[f].loop;
+    const CornerLoop& loop = facets[f].loop;
     for (std::size_t i = 0; i < loop.size(); ++i) {
       halves.push_back({loop[i], loop[i + 1 == loop.size() ? 0 : i + 1], f});
     }

@@ -10,7 +10,7 @@ namespace gnomon {
 namespace {
 
 using Kind = PlaneDefinition::Kind;
-constexpr std::uint32_t none = VertexDefinition::none;
+constexpr std::uint32_t no_input = VertexDefinition::none;
 
 template <class Number>
 Quadruple<Number> negated(const Quadruple<Number>& v) {
@@ -153,16 +153,16 @@ VertexId ExactSpace::add_copy(VertexId vertex) {
 bool ExactSpace::is_on_line(VertexId vertex, std::uint32_t line) const {
   const VertexDefinition& v = vertices_[vertex].definition;
   if (v.line == line) return true;
-  if (v.input == none || inputs_[v.input].kind != InputVertex::Kind::point) return false;
+  if (v.input == no_input || inputs_[v.input].kind != InputVertex::Kind::point) return false;
   return inputs_[v.input].first == inputs_[line].second;
 }
 
 /// An input direction on whose line both vertices are known to lie, or none.
 std::uint32_t ExactSpace::common_line(VertexId u, VertexId v) const {
   const std::uint32_t of_u = vertices_[u].definition.line;
-  if (of_u != none && is_on_line(v, of_u)) return of_u;
+  if (of_u != no_input && is_on_line(v, of_u)) return of_u;
   const std::uint32_t of_v = vertices_[v].definition.line;
-  return of_v != none && is_on_line(u, of_v) ? of_v : none;
+  return of_v != no_input && is_on_line(u, of_v) ? of_v : no_input;
 }
 
 VertexId ExactSpace::add_cut(VertexId u, VertexId v, PlaneId a, PlaneId b, PlaneId plane) {
@@ -170,7 +170,7 @@ VertexId ExactSpace::add_cut(VertexId u, VertexId v, PlaneId a, PlaneId b, Plane
   VertexDefinition definition;
   definition.planes = {unreversed(a), unreversed(b), unreversed(plane)};
   definition.direction = is_direction(u) && is_direction(v);
-  definition.line = definition.direction ? none : common_line(u, v);
+  definition.line = definition.direction ? no_input : common_line(u, v);
   return add_constructed(definition);
 }
 
@@ -187,8 +187,9 @@ VertexId ExactSpace::add_constructed(const VertexDefinition& definition) {
     return PlaneWithNumbers<Interval>{&planes_[p].definition, &planes_[p].approximate};
   };
   const auto& [a, b, c] = definition.planes;
-  const Quadruple<Interval> found = definition.line != none ? line_meet<Interval>(inputs_[definition.line], numbers(c))
-                                                            : meet<Interval>(numbers(a), numbers(b), numbers(c));
+  const Quadruple<Interval> found = definition.line != no_input
+                                        ? line_meet<Interval>(inputs_[definition.line], numbers(c))
+                                        : meet<Interval>(numbers(a), numbers(b), numbers(c));
   const std::optional<int> sign =
       certain_sign(definition.direction ? -value(planes_[downward].approximate, found) : found[3]);
   vertices_.push_back({definition, sign == -1 ? negated(found) : found});
@@ -205,12 +206,12 @@ const Quadruple<ExactReal>& ExactSpace::exact_plane(PlaneId plane) const {
 
 Quadruple<ExactReal> ExactSpace::constructed(VertexId vertex) const {
   const VertexDefinition& v = vertices_[vertex].definition;
-  if (v.input != none) return input_coordinates<ExactReal>(inputs_[v.input]);
+  if (v.input != no_input) return input_coordinates<ExactReal>(inputs_[v.input]);
   if (v.middle) return middle_of(exact_vertex(v.planes[0]), exact_vertex(v.planes[1]));
   const auto numbers = [&](PlaneId p) { return PlaneWithNumbers<ExactReal>{&planes_[p].definition, &exact_plane(p)}; };
   const auto& [a, b, c] = v.planes;
-  const Quadruple<ExactReal> m = v.line != none ? line_meet<ExactReal>(inputs_[v.line], numbers(c))
-                                                : meet<ExactReal>(numbers(a), numbers(b), numbers(c));
+  const Quadruple<ExactReal> m = v.line != no_input ? line_meet<ExactReal>(inputs_[v.line], numbers(c))
+                                                    : meet<ExactReal>(numbers(a), numbers(b), numbers(c));
   const ExactReal key = v.direction ? ExactReal(-value(exact_plane(downward), m)) : m[3];
   return exact_sign(key) < 0 ? negated(m) : m;
 }
@@ -226,10 +227,10 @@ bool ExactSpace::goes_through(PlaneId plane, VertexId vertex) const {
   const VertexDefinition& v = vertices_[vertex].definition;
   const PlaneDefinition& p = planes_[plane].definition;
   if (v.middle) return false;
-  if (v.input == none && std::find(v.planes.begin(), v.planes.end(), plane) != v.planes.end()) return true;
+  if (v.input == no_input && std::find(v.planes.begin(), v.planes.end(), plane) != v.planes.end()) return true;
   if (p.kind != Kind::points && p.kind != Kind::points_direction) return false;
-  if (v.line != none) return has_point(p, inputs_[v.line].first) && has_point(p, inputs_[v.line].second);
-  if (v.input == none) return false;
+  if (v.line != no_input) return has_point(p, inputs_[v.line].first) && has_point(p, inputs_[v.line].second);
+  if (v.input == no_input) return false;
   const InputVertex& input = inputs_[v.input];
   if (input.kind == InputVertex::Kind::point) return has_point(p, input.first);
   return input.kind == InputVertex::Kind::vector && p.kind == Kind::points_direction && p.points[2] == input.first;

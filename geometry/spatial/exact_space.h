@@ -6,8 +6,6 @@
 #include <unordered_map>
 #include <vector>
 
-#include <CGAL/Mpzf.h>
-
 #include "geometry/kernel.h"
 #include "geometry/spatial/shadow_volume.h"
 
@@ -19,9 +17,6 @@ using VertexId = std::uint32_t;
 /// Homogeneous coordinates (x, y, z, w), or a plane's coefficients (a, b, c, d) with a x + b y + c z + d w <= 0 inside.
 template <class Number>
 using Quadruple = std::array<Number, 4>;
-
-/// Exact sums and products of doubles.
-using ExactReal = CGAL::Mpzf;
 
 /// How a plane is given.
 struct PlaneDefinition {

@@ -43,9 +43,9 @@ std::vector<std::uint32_t> scattered(std::size_t n) {
 
 /// Adds one point after another. A face is replaced only if the new point lies strictly outside of its plane, so a new
 /// triangle never has its corners on one line: its old edge bounds a face that went, whose plane misses the point.
-class Hull {
+class GrowingHull {
  public:
-  explicit Hull(std::span<const Point3> points)
+  explicit GrowingHull(std::span<const Point3> points)
       : points_(points), order_(scattered(points.size())), face_at_(points.size(), no_face) {
     filter_.include(points);
     filter_.close();
@@ -175,7 +175,7 @@ class Hull {
 }  // namespace
 
 std::vector<HullTriangle> hull_triangles(std::span<const Point3> points) {
-  return Hull(points).triangles();
+  return GrowingHull(points).triangles();
 }
 
 }  // namespace gnomon

@@ -6,15 +6,10 @@
 #include <array>
 
 #include "geometry/kernel.h"
+#include "geometry/spatial/exact_point.h"
 
 namespace gnomon {
 namespace {
-
-using ExactPoint = std::array<Rational, 3>;
-
-ExactPoint exact(const Point3& p) {
-  return {Rational(p.x), Rational(p.y), Rational(p.z)};
-}
 
 /// Six times the volume of a, b, c, p: positive if p lies where a, b, c run counterclockwise.
 Rational height(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& p) {
@@ -26,9 +21,9 @@ Rational height(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, c
 
 /// The part of a convex polygon (segment, point) on the closed negative side of a facet's plane.
 std::vector<ExactPoint> behind(const std::vector<ExactPoint>& polygon, const HullPair& pair, std::uint32_t facet) {
-  const ExactPoint a = exact(pair.blocker.facet_point(facet, 0));
-  const ExactPoint b = exact(pair.blocker.facet_point(facet, 1));
-  const ExactPoint c = exact(pair.blocker.facet_point(facet, 2));
+  const ExactPoint a = exact_point(pair.blocker.facet_point(facet, 0));
+  const ExactPoint b = exact_point(pair.blocker.facet_point(facet, 1));
+  const ExactPoint c = exact_point(pair.blocker.facet_point(facet, 2));
   std::vector<ExactPoint> result;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const ExactPoint& p = polygon[i];
@@ -77,7 +72,7 @@ bool all_sides(const HullPair& pair, std::uint32_t facet, int least, int most) {
 /// The part of the light in a closed solid.
 std::vector<ExactPoint> light_inside(const HullPair& pair) {
   std::vector<ExactPoint> part;
-  for (const Point3& corner : pair.light.corners) part.push_back(exact(corner));
+  for (const Point3& corner : pair.light.corners) part.push_back(exact_point(corner));
   for (std::uint32_t f = 0; f < pair.blocker.facets.size() && !part.empty(); ++f) {
     if (!all_sides(pair, f, -1, 0)) part = behind(part, pair, f);
   }
@@ -100,8 +95,8 @@ LightContact contact_with_solid(const HullPair& pair) {
   bool in_facet = false;
   for (std::uint32_t f = 0; f < facets; ++f) {
     const auto on_facet = [&](const ExactPoint& p) {
-      return height(exact(pair.blocker.facet_point(f, 0)), exact(pair.blocker.facet_point(f, 1)),
-                    exact(pair.blocker.facet_point(f, 2)), p) == 0;
+      return height(exact_point(pair.blocker.facet_point(f, 0)), exact_point(pair.blocker.facet_point(f, 1)),
+                    exact_point(pair.blocker.facet_point(f, 2)), p) == 0;
     };
     if (part.empty() || !std::all_of(part.begin(), part.end(), on_facet)) continue;
     in_facet = true;

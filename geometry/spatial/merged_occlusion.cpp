@@ -9,6 +9,7 @@
 
 #include <CGAL/determinant.h>
 
+#include "geometry/boxes.h"
 #include "geometry/errors.h"
 #include "geometry/rounding.h"
 #include "geometry/spatial/exposed_facets.h"
@@ -34,22 +35,6 @@ struct ExposedFacet {
   std::array<Rational, 4> plane;
   std::vector<Edge> edges;
 };
-
-void require_proper(const Box3& box) {
-  const std::array<std::array<double, 2>, 3> ranges = {
-      {{box.min.x, box.max.x}, {box.min.y, box.max.y}, {box.min.z, box.max.z}}};
-  for (const auto& [low, high] : ranges) {
-    if (!std::isfinite(low) || !std::isfinite(high) || !(low < high)) {
-      throw PreconditionError("a clip box needs finite bounds with min < max");
-    }
-  }
-}
-
-Rational rational(const ExactReal& number) {
-  Rational result;
-  number.export_to_mpq_t(result.backend().data());
-  return result;
-}
 
 OcclusionPart occlusion_part(const Light& light, const ConvexBlocker& blocker, const Box3& box) {
   const PreparedPair pair = prepared_pair(light, blocker);
@@ -160,7 +145,7 @@ VolumeMesh rounded(const ExactTriangles& surface) {
 
 std::vector<OcclusionPart> occlusion_parts(const Light& light, std::span<const ConvexBlocker> blockers,
                                            const Box3& box) {
-  require_proper(box);
+  if (!has_interior(box)) throw PreconditionError("a clip box needs finite bounds with min < max");
   std::vector<OcclusionPart> result;
   for (const ConvexBlocker& blocker : blockers) result.push_back(occlusion_part(light, blocker, box));
   return result;

@@ -1,6 +1,5 @@
 #include "geometry/spatial/orientation.h"
 
-#include <CGAL/Mpzf.h>
 #include <CGAL/determinant.h>
 
 #include "geometry/kernel.h"

@@ -72,7 +72,7 @@ void set_point_plane(const PlaneDefinition& plane, PlaneWords& result) {
   result.offset_error = error;
 }
 
-Triple cross(const PlaneWords& a, const PlaneWords& b) {
+Triple cross_product(const PlaneWords& a, const PlaneWords& b) {
   const auto component = [&](std::size_t j, std::size_t k) {
     return a.normal[j].value * b.normal[k].value - a.normal[k].value * b.normal[j].value;
   };
@@ -103,7 +103,7 @@ PlaneWords::PlaneWords(const PlaneDefinition& plane) {
 }
 
 CommonPoint::CommonPoint(const PlaneWords& a, const PlaneWords& b, const PlaneWords& c) : planes_{&a, &b, &c} {
-  const std::array<Triple, 3> columns = {cross(b, c), cross(c, a), cross(a, b)};
+  const std::array<Triple, 3> columns = {cross_product(b, c), cross_product(c, a), cross_product(a, b)};
   const double determinant =
       a.normal[0].value * columns[0][0] + a.normal[1].value * columns[0][1] + a.normal[2].value * columns[0][2];
   const double factor = 1 / determinant;

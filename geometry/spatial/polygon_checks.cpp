@@ -9,23 +9,15 @@
 #include <vector>
 
 #include "geometry/kernel.h"
+#include "geometry/spatial/exact_point.h"
 
 namespace gnomon {
 namespace {
 
-using ExactVector = std::array<Rational, 3>;
-using Triple = std::array<std::uint32_t, 3>;
+using PointTriple = std::array<std::uint32_t, 3>;
 
-ExactVector difference(const Point3& p, const Point3& q) {
-  return {Rational(p.x) - Rational(q.x), Rational(p.y) - Rational(q.y), Rational(p.z) - Rational(q.z)};
-}
-
-Rational dot(const ExactVector& a, const ExactVector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-ExactVector cross(const ExactVector& a, const ExactVector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+ExactPoint exact_difference(const Point3& p, const Point3& q) {
+  return difference(exact_point(p), exact_point(q));
 }
 
 /// The square root of a rational number of any magnitude, to a few units of the last place; at least the smallest
@@ -76,7 +68,7 @@ Rational squared_diameter(std::span<const Point3> points) {
   for (std::size_t i = 0; i < rough.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (squared_distance(rough[i], rough[j]) < largest * (1 - 1e-14)) continue;
-      const ExactVector d = difference(points[i], points[j]);
+      const ExactPoint d = exact_difference(points[i], points[j]);
       exact = std::max<Rational>(exact, dot(d, d));
     }
   }
@@ -92,35 +84,35 @@ std::uint32_t first_large(const std::vector<Rational>& squares) {
 
 /// As PolygonPlane says for vertices that are not coplanar. `largest` receives the largest squared distance from the
 /// first vertex.
-Triple wide_triple(std::span<const Point3> points, Rational& largest) {
-  std::vector<ExactVector> from_first;
+PointTriple wide_triple(std::span<const Point3> points, Rational& largest) {
+  std::vector<ExactPoint> from_first;
   std::vector<Rational> squares;
   for (const Point3& p : points) {
-    from_first.push_back(difference(p, points[0]));
+    from_first.push_back(exact_difference(p, points[0]));
     squares.push_back(dot(from_first.back(), from_first.back()));
   }
   largest = *std::max_element(squares.begin(), squares.end());
   const std::uint32_t a = first_large(squares);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const ExactVector area = cross(from_first[a], from_first[i]);
+    const ExactPoint area = cross(from_first[a], from_first[i]);
     squares[i] = dot(area, area);
   }
   return {0, a, first_large(squares)};
 }
 
 /// The first vertex, the first that differs from it, and the first that is not on their line; nothing if there is none.
-std::optional<Triple> first_triangle(std::span<const Point3> points) {
+std::optional<PointTriple> first_triangle(std::span<const Point3> points) {
   std::uint32_t second = 1;
   while (second < points.size() && points[second] == points[0]) ++second;
   for (std::uint32_t third = second + 1; third < points.size(); ++third) {
     if (!CGAL::collinear(to_cgal(points[0]), to_cgal(points[second]), to_cgal(points[third]))) {
-      return Triple{0, second, third};
+      return PointTriple{0, second, third};
     }
   }
   return std::nullopt;
 }
 
-bool lie_in_plane(std::span<const Point3> points, const Triple& triple) {
+bool lie_in_plane(std::span<const Point3> points, const PointTriple& triple) {
   const auto p = to_cgal(points[triple[0]]);
   const auto q = to_cgal(points[triple[1]]);
   const auto r = to_cgal(points[triple[2]]);
@@ -135,7 +127,7 @@ bool is_triangle(const Point2& p, const Point2& q, const Point2& r) {
 
 /// The axis along which the triangle shows the largest area, as far as doubles tell, among those along which it shows
 /// any; every one of these is right, a large area only keeps the predicates on their fast path.
-int dominant_axis(std::span<const Point3> points, const Triple& triple) {
+int dominant_axis(std::span<const Point3> points, const PointTriple& triple) {
   const std::vector<Point3> t = scaled(std::array{points[triple[0]], points[triple[1]], points[triple[2]]});
   int best = -1;
   double best_area = -1;
@@ -162,13 +154,13 @@ bool is_within_tolerance(const Rational& deviation, const Rational& from_first, 
 
 PolygonPlane rounded_plane(std::span<const Point3> points) {
   Rational from_first;
-  const Triple triple = wide_triple(points, from_first);
+  const PointTriple triple = wide_triple(points, from_first);
   const Point3& p = points[triple[0]];
-  const ExactVector normal = cross(difference(points[triple[1]], p), difference(points[triple[2]], p));
+  const ExactPoint normal = cross(exact_difference(points[triple[1]], p), exact_difference(points[triple[2]], p));
   PolygonPlane plane{dominant_axis(points, triple)};
   Rational farthest = 0;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
-    const Rational distance = abs(dot(normal, difference(points[i], p)));
+    const Rational distance = abs(dot(normal, exact_difference(points[i], p)));
     if (distance <= farthest) continue;
     farthest = distance;
     plane.farthest = i;
@@ -198,14 +190,14 @@ std::optional<RepeatedVertex> repeated_vertex(std::span<const Point3> points) {
 }
 
 std::optional<PolygonPlane> polygon_plane(std::span<const Point3> points) {
-  const std::optional<Triple> triple = first_triangle(points);
+  const std::optional<PointTriple> triple = first_triangle(points);
   if (!triple) return std::nullopt;
   if (!lie_in_plane(points, *triple)) return rounded_plane(points);
   return PolygonPlane{dominant_axis(points, *triple)};
 }
 
 bool are_coplanar(std::span<const Point3> points) {
-  const std::optional<Triple> triple = first_triangle(points);
+  const std::optional<PointTriple> triple = first_triangle(points);
   return !triple || lie_in_plane(points, *triple);
 }
 

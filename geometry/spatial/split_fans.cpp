@@ -4,6 +4,7 @@
 #include <map>
 #include <numeric>
 
+#include "geometry/disjoint_sets.h"
 #include "geometry/errors.h"
 
 namespace gnomon {
@@ -23,23 +24,13 @@ struct EdgeUse {
 using EdgeUses = std::map<std::array<VertexId, 2>, std::vector<EdgeUse>>;
 
 /// Sets of corners of triangles that are one vertex of the surface.
-class Fans {
- public:
-  explicit Fans(std::size_t corners) : parent_(corners) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
+using Fans = DisjointSets;
 
-  std::size_t representative(std::size_t corner) {
-    while (parent_[corner] != corner) corner = parent_[corner] = parent_[parent_[corner]];
-    return corner;
-  }
-  /// Joins two triangles along an edge that they use in opposite directions.
-  void join(const EdgeUse& a, const EdgeUse& b) {
-    parent_[representative(a.start())] = representative(b.end());
-    parent_[representative(a.end())] = representative(b.start());
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
+/// Joins two triangles along an edge that they use in opposite directions.
+void join(Fans& fans, const EdgeUse& a, const EdgeUse& b) {
+  fans.unite(a.start(), b.end());
+  fans.unite(a.end(), b.start());
+}
 
 std::vector<std::array<VertexId, 3>*> all_triangles(ExactSurface& surface) {
   std::vector<std::array<VertexId, 3>*> triangles;
@@ -81,17 +72,17 @@ std::array<EdgeUse, 4> wedges(const std::vector<EdgeUse>& uses) {
 /// divides the volume into two wedges, and an outer triangle belongs to the inward one that it meets head on.
 void join_touching_sheets(Fans& fans, const std::vector<EdgeUse>& uses) {
   const auto [outer, inner, other_outer, other_inner] = wedges(uses);
-  const bool goes_round = fans.representative(outer.start()) == fans.representative(other_outer.end()) ||
-                          fans.representative(outer.end()) == fans.representative(other_outer.start());
-  fans.join(outer, goes_round ? other_outer : inner);
-  fans.join(other_inner, goes_round ? inner : other_outer);
+  const bool goes_round =
+      fans.of(outer.start()) == fans.of(other_outer.end()) || fans.of(outer.end()) == fans.of(other_outer.start());
+  join(fans, outer, goes_round ? other_outer : inner);
+  join(fans, other_inner, goes_round ? inner : other_outer);
 }
 
 /// The corners of all triangles, joined where they are one vertex.
 Fans joined_fans(const EdgeUses& edges, std::size_t corners) {
   Fans fans(corners);
   for (const auto& [edge, uses] : edges) {
-    if (uses.size() == 2) fans.join(uses[0], uses[1]);
+    if (uses.size() == 2) join(fans, uses[0], uses[1]);
   }
   for (const auto& [edge, uses] : edges) {
     if (uses.size() == 4) join_touching_sheets(fans, uses);
@@ -142,7 +133,7 @@ void split_fans(ExactSpace& space, ExactSurface& surface, std::size_t first_inne
   std::map<std::size_t, VertexId> copies;
   for (std::size_t corner = 0; corner < 3 * triangles.size(); ++corner) {
     VertexId& vertex = (*triangles[corner / 3])[corner % 3];
-    const std::size_t fan = fans.representative(corner);
+    const std::size_t fan = fans.of(corner);
     if (first_fan.try_emplace(vertex, fan).first->second == fan) continue;
     const auto [copy, is_new] = copies.try_emplace(fan, vertex);
     if (is_new) copy->second = space.add_copy(vertex);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "geometry/disjoint_sets.h"
 #include "geometry/errors.h"
 
 namespace gnomon {
@@ -15,40 +16,28 @@ using Triangle = ExactTriangles::Triangle;
 using Edge = std::array<std::uint32_t, 2>;
 
 /// The use of an edge by a triangle: from its corner i to the next one. Corners are numbered 3 * triangle + i.
-struct EdgeUse {
+struct CornerUse {
   std::size_t start;
   std::size_t end;
   std::size_t opposite;
   bool forward;  ///< from the lower to the higher vertex
 };
 
-/// Sets of corners that are one vertex of the surface.
-class Fans {
- public:
-  explicit Fans(std::size_t corners) : parent_(corners) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-
-  std::size_t representative(std::size_t corner) {
-    while (parent_[corner] != corner) corner = parent_[corner] = parent_[parent_[corner]];
-    return corner;
-  }
-  void join(const EdgeUse& a, const EdgeUse& b) {
-    parent_[representative(a.start)] = representative(b.end);
-    parent_[representative(a.end)] = representative(b.start);
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
+/// Joins the corners of two triangles along an edge that they use in opposite directions.
+void join(DisjointSets& fans, const CornerUse& a, const CornerUse& b) {
+  fans.unite(a.start, b.end);
+  fans.unite(a.end, b.start);
+}
 
 std::uint32_t vertex(const ExactTriangles& surface, std::size_t corner) {
   return surface.triangles[corner / 3].vertices[corner % 3];
 }
 
-std::map<Edge, std::vector<EdgeUse>> edge_uses(const ExactTriangles& surface) {
-  std::map<Edge, std::vector<EdgeUse>> uses;
+std::map<Edge, std::vector<CornerUse>> corner_uses(const ExactTriangles& surface) {
+  std::map<Edge, std::vector<CornerUse>> uses;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     for (std::size_t i = 0; i < 3; ++i) {
-      const EdgeUse use{3 * t + i, 3 * t + (i + 1) % 3, 3 * t + (i + 2) % 3, false};
+      const CornerUse use{3 * t + i, 3 * t + (i + 1) % 3, 3 * t + (i + 2) % 3, false};
       const std::uint32_t a = vertex(surface, use.start);
       const std::uint32_t b = vertex(surface, use.end);
       uses[{std::min(a, b), std::max(a, b)}].push_back({use.start, use.end, use.opposite, a < b});
@@ -57,24 +46,11 @@ std::map<Edge, std::vector<EdgeUse>> edge_uses(const ExactTriangles& surface) {
   return uses;
 }
 
-ExactPoint difference(const ExactPoint& a, const ExactPoint& b) {
-  return {Rational(a[0] - b[0]), Rational(a[1] - b[1]), Rational(a[2] - b[2])};
-}
-
-ExactPoint cross(const ExactPoint& a, const ExactPoint& b) {
-  return {Rational(a[1] * b[2] - a[2] * b[1]), Rational(a[2] * b[0] - a[0] * b[2]),
-          Rational(a[0] * b[1] - a[1] * b[0])};
-}
-
-Rational dot(const ExactPoint& a, const ExactPoint& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /// A direction across an edge, in a frame round the edge; its angle runs from 0 up to a full turn.
 struct Across {
   Rational x;
   Rational y;
-  EdgeUse use;
+  CornerUse use;
 
   bool in_second_half() const { return y < 0 || (y == 0 && x < 0); }
   friend bool operator<(const Across& a, const Across& b) {
@@ -84,32 +60,32 @@ struct Across {
 };
 
 /// The triangles round an edge, counterclockwise seen from its higher vertex.
-std::vector<Across> sorted_around(const ExactTriangles& surface, const Edge& edge, const std::vector<EdgeUse>& uses) {
+std::vector<Across> sorted_around(const ExactTriangles& surface, const Edge& edge, const std::vector<CornerUse>& uses) {
   const ExactPoint& origin = surface.points[edge[0]];
   const ExactPoint axis = difference(surface.points[edge[1]], origin);
-  const auto arm = [&](const EdgeUse& use) {
+  const auto arm = [&](const CornerUse& use) {
     return difference(surface.points[vertex(surface, use.opposite)], origin);
   };
   const ExactPoint v = cross(axis, arm(uses.front()));
   const ExactPoint u = cross(v, axis);
   std::vector<Across> around;
   // u and v differ in length, which stretches angles but keeps their order.
-  for (const EdgeUse& use : uses) around.push_back({dot(arm(use), u), dot(arm(use), v), use});
+  for (const CornerUse& use : uses) around.push_back({dot(arm(use), u), dot(arm(use), v), use});
   std::sort(around.begin(), around.end());
   return around;
 }
 
-using UsePair = std::pair<EdgeUse, EdgeUse>;
+using UsePair = std::pair<CornerUse, CornerUse>;
 
 /// Pairs of triangles with the volume between them. From one that runs forward the volume lies clockwise.
 std::vector<UsePair> joined_by_volume(const ExactTriangles& surface, const Edge& edge,
-                                      const std::vector<EdgeUse>& uses) {
+                                      const std::vector<CornerUse>& uses) {
   if (uses.size() == 2 && uses[0].forward != uses[1].forward) return {{uses[0], uses[1]}};
   const std::vector<Across> around = sorted_around(surface, edge, uses);
   std::vector<UsePair> pairs;
   for (std::size_t i = 0; i < around.size(); ++i) {
-    const EdgeUse& use = around[i].use;
-    const EdgeUse& before = around[(i + around.size() - 1) % around.size()].use;
+    const CornerUse& use = around[i].use;
+    const CornerUse& before = around[(i + around.size() - 1) % around.size()].use;
     if (use.forward == before.forward) throw PreconditionError("triangles are no boundary of a volume");
     if (use.forward) pairs.emplace_back(use, before);
   }
@@ -117,12 +93,12 @@ std::vector<UsePair> joined_by_volume(const ExactTriangles& surface, const Edge&
 }
 
 /// Gives every fan a vertex of its own.
-void split_vertices(ExactTriangles& surface, Fans& fans) {
+void split_vertices(ExactTriangles& surface, DisjointSets& fans) {
   std::vector<bool> is_taken(surface.points.size());
   std::map<std::size_t, std::uint32_t> vertex_of_fan;
   for (std::size_t corner = 0; corner < 3 * surface.triangles.size(); ++corner) {
     std::uint32_t& v = surface.triangles[corner / 3].vertices[corner % 3];
-    const auto [entry, is_new] = vertex_of_fan.try_emplace(fans.representative(corner), v);
+    const auto [entry, is_new] = vertex_of_fan.try_emplace(fans.of(corner), v);
     if (is_new && is_taken[v]) {
       entry->second = static_cast<std::uint32_t>(surface.points.size());
       const ExactPoint copy = surface.points[v];
@@ -201,11 +177,11 @@ void divide_shared_edges(ExactTriangles& surface, const std::vector<UsePair>& pa
 }  // namespace
 
 ExactTriangles with_sheets_apart(ExactTriangles surface) {
-  Fans fans(3 * surface.triangles.size());
+  DisjointSets fans(3 * surface.triangles.size());
   std::vector<UsePair> pairs;
-  for (const auto& [edge, uses] : edge_uses(surface)) {
+  for (const auto& [edge, uses] : corner_uses(surface)) {
     for (const UsePair& pair : joined_by_volume(surface, edge, uses)) {
-      fans.join(pair.first, pair.second);
+      join(fans, pair.first, pair.second);
       pairs.push_back(pair);
     }
   }

@@ -4,11 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/kernel.h"
+#include "geometry/spatial/exact_point.h"
 
 namespace gnomon {
-
-using ExactPoint = std::array<Rational, 3>;
 
 /// A closed surface of triangles with exact vertices.
 struct ExactTriangles {

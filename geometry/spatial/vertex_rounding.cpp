@@ -3,15 +3,6 @@
 #include "geometry/rounding.h"
 
 namespace gnomon {
-namespace {
-
-Rational rational(const ExactReal& number) {
-  Rational result;
-  number.export_to_mpq_t(result.backend().data());
-  return result;
-}
-
-}  // namespace
 
 std::array<Rational, 3> exact_coordinates(const ExactSpace& space, VertexId vertex) {
   const Quadruple<ExactReal>& v = space.exact_vertex(vertex);

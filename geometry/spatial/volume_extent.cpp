@@ -6,35 +6,21 @@
 #include <numeric>
 #include <set>
 
+#include "geometry/disjoint_sets.h"
 #include "geometry/errors.h"
 #include "geometry/spatial/shadow_polyhedra.h"
 
 namespace gnomon {
 namespace {
 
-/// Sets of things that are connected.
-class Groups {
- public:
-  explicit Groups(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-
-  std::size_t of(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
+/// Number of sets with a member that counts.
+std::uint32_t number_of_sets(DisjointSets& sets, const std::vector<bool>& counts) {
+  std::set<std::size_t> found;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (counts[i]) found.insert(sets.of(i));
   }
-  void join(std::size_t a, std::size_t b) { parent_[of(a)] = of(b); }
-
-  /// Number of groups among those that count.
-  std::uint32_t count(const std::vector<bool>& counts) {
-    std::set<std::size_t> found;
-    for (std::size_t i = 0; i < parent_.size(); ++i) {
-      if (counts[i]) found.insert(of(i));
-    }
-    return static_cast<std::uint32_t>(found.size());
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
+  return static_cast<std::uint32_t>(found.size());
+}
 
 /// The axes across the largest component of the downward plane's normal. All is exact: a facet may be a needle.
 std::array<std::uint32_t, 2> lateral_axes(const ExactSpace& space) {
@@ -142,7 +128,7 @@ std::uint32_t pieces_inside_occlusion(const ShadowPlanes& planes, const PairHalf
     if (i == VertexDefinition::none || j == VertexDefinition::none) return false;
     return outer_edges.count(point_pair(space.input(i).first, space.input(j).first)) != 0;
   };
-  Groups groups(umbra.faces.size());
+  DisjointSets groups(umbra.faces.size());
   std::vector<bool> counts;
   std::map<std::array<VertexId, 2>, std::size_t> edges;
   for (std::size_t f = 0; f < umbra.faces.size(); ++f) {
@@ -153,11 +139,11 @@ std::uint32_t pieces_inside_occlusion(const ShadowPlanes& planes, const PairHalf
       const VertexId a = loop[i];
       const VertexId b = loop[(i + 1) % loop.size()];
       const auto other = edges.find({b, a});
-      if (other != edges.end() && !is_no_joint(a, b)) groups.join(f, other->second);
+      if (other != edges.end() && !is_no_joint(a, b)) groups.unite(f, other->second);
       edges[{a, b}] = f;
     }
   }
-  return groups.count(counts);
+  return number_of_sets(groups, counts);
 }
 
 /// For each corner of the blocker: it is strictly inside the light's planes that bound the umbra.
@@ -187,12 +173,12 @@ std::uint32_t umbra_pockets(const HullPair& pair, const PairHalfSpaces& half_spa
       counts[static_cast<std::size_t>(half_space.name.vertex_index)] = false;
     }
   }
-  Groups groups(counts.size());
+  DisjointSets groups(counts.size());
   for (const Hull::Edge& edge : pair.blocker.edges) {
     if (!counts[edge.left] || !counts[edge.right]) continue;
-    if (in_front[edge.from] || in_front[edge.to]) groups.join(edge.left, edge.right);
+    if (in_front[edge.from] || in_front[edge.to]) groups.unite(edge.left, edge.right);
   }
-  return groups.count(counts);
+  return number_of_sets(groups, counts);
 }
 
 bool light_crosses_blocker_plane(const HullPair& pair) {

@@ -7,6 +7,7 @@
 
 #include <CGAL/determinant.h>
 
+#include "geometry/boxes.h"
 #include "geometry/errors.h"
 #include "geometry/rounding.h"
 #include "geometry/spatial/clipping.h"
@@ -137,15 +138,6 @@ struct ExactShapes {
   std::vector<PlaneLoop> planes;
 };
 
-void require_proper(const Box3& box) {
-  const bool ordered = box.min.x < box.max.x && box.min.y < box.max.y && box.min.z < box.max.z;
-  const Point3& a = box.min;
-  const Point3& b = box.max;
-  const bool finite = std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z) && std::isfinite(b.x) &&
-                      std::isfinite(b.y) && std::isfinite(b.z);
-  if (!ordered || !finite) throw PreconditionError("a clip box needs finite bounds with min < max");
-}
-
 bool is_extremal(FacetKind kind) {
   return kind == FacetKind::separating_blocker_plane || kind == FacetKind::separating_light_plane ||
          kind == FacetKind::supporting_blocker_plane;
@@ -184,7 +176,7 @@ ExactShapes exact_shapes(PairPolyhedra& polyhedra, const PreparedPair& pair, con
 
 ShadowMeshes shadow_meshes(const Light& light, const ConvexBlocker& blocker, const Box3& box,
                            const ShadowParts& parts) {
-  require_proper(box);
+  if (!has_interior(box)) throw PreconditionError("a clip box needs finite bounds with min < max");
   const PreparedPair pair = prepared_pair(light, blocker);
   std::optional<PairPolyhedra> polyhedra;
   ExactShapes shapes;

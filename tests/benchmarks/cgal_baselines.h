@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "apps/report/polygon_pairs.h"
+#include "apps/proof/report/polygon_pairs.h"
 
 namespace gnomon::benchmarks {
 

@@ -4,7 +4,7 @@
 
 #include <atomic>
 
-#include "apps/report/box_stacks.h"
+#include "apps/proof/report/box_stacks.h"
 #include "geometry/discontinuity/receiver_mesh.h"
 
 // k x k stacks of 8 boxes on a floor, every face a receiver (48 k^2 + 1 of them), divided by all edge-vertex events and

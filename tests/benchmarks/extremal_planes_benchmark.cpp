@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "apps/report/plain_walk.h"
-#include "apps/report/polygon_pairs.h"
-#include "apps/report/volume_peers.h"
+#include "apps/proof/report/plain_walk.h"
+#include "apps/proof/report/polygon_pairs.h"
+#include "apps/proof/report/volume_peers.h"
 #include "tests/benchmarks/cgal_baselines.h"
 #include "tests/benchmarks/ratios.h"
 

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "apps/report/embree_sight.h"
-#include "apps/report/measurement.h"
-#include "apps/report/triangle_scenes.h"
+#include "apps/proof/report/embree_sight.h"
+#include "apps/proof/report/measurement.h"
+#include "apps/proof/report/triangle_scenes.h"
 #include "geometry/visibility/fast_visibility.h"
 #include "shading/lambert.h"
 #include "tests/benchmarks/memory.h"

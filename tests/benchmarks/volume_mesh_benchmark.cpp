@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "apps/report/polygon_pairs.h"
-#include "apps/report/spheres.h"
+#include "apps/proof/report/polygon_pairs.h"
+#include "apps/proof/report/spheres.h"
 #include "tests/benchmarks/memory.h"
 #include "tests/benchmarks/ratios.h"
 

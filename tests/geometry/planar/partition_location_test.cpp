@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "apps/laws/flatland_cases.h"
+#include "apps/proof/laws/flatland_cases.h"
 #include "geometry/planar/partition_data.h"
 #include "geometry/planar/sight_query.h"
 #include "geometry/planar/viewpoint.h"

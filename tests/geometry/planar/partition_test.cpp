@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "apps/laws/flatland_cases.h"
-#include "apps/laws/planar_definition.h"
+#include "apps/proof/laws/flatland_cases.h"
+#include "apps/proof/laws/planar_definition.h"
 #include "geometry/errors.h"
 #include "geometry/planar/light_line.h"
 #include "geometry/planar/partition_data.h"

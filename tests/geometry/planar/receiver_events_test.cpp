@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "apps/laws/flatland_cases.h"
-#include "apps/laws/planar_definition.h"
+#include "apps/proof/laws/flatland_cases.h"
+#include "apps/proof/laws/planar_definition.h"
 #include "geometry/planar/light_line.h"
 #include "geometry/rounding.h"
 

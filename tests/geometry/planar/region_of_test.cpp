@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
-#include "apps/laws/planar_cases.h"
-#include "apps/laws/planar_definition.h"
+#include "apps/proof/laws/planar_cases.h"
+#include "apps/proof/laws/planar_definition.h"
 
 namespace gnomon::planar {
 namespace {

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "apps/laws/planar_cases.h"
-#include "apps/laws/planar_definition.h"
+#include "apps/proof/laws/planar_cases.h"
+#include "apps/proof/laws/planar_definition.h"
 #include "geometry/errors.h"
 #include "geometry/planar/exact_polygon.h"
 #include "geometry/planar/region_of.h"

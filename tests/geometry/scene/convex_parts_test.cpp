@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <set>
 
-#include "apps/laws/draw.h"
-#include "apps/laws/exact.h"
+#include "apps/proof/laws/draw.h"
+#include "apps/proof/laws/exact.h"
 #include "geometry/scene/polygon_refusal.h"
 #include "geometry/spatial/polygon_checks.h"
 

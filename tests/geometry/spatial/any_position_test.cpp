@@ -6,7 +6,7 @@
 #include <ostream>
 #include <string>
 
-#include "apps/laws/any_pair.h"
+#include "apps/proof/laws/any_pair.h"
 #include "geometry/spatial/position.h"
 #include "geometry/spatial/shadow_volume.h"
 #include "geometry/visibility/visibility.h"

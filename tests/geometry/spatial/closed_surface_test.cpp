@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "apps/laws/draw.h"
-#include "apps/laws/exact.h"
+#include "apps/proof/laws/draw.h"
+#include "apps/proof/laws/exact.h"
 #include "geometry/spatial/convex_solid.h"
 
 namespace gnomon {

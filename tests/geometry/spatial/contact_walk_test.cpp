@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "apps/laws/spatial_cases.h"
+#include "apps/proof/laws/spatial_cases.h"
 
 namespace gnomon {
 namespace {

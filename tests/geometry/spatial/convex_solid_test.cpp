@@ -9,9 +9,9 @@
 #include <limits>
 #include <set>
 
-#include "apps/laws/cone.h"
-#include "apps/laws/draw.h"
-#include "apps/laws/pair_generator.h"
+#include "apps/proof/laws/cone.h"
+#include "apps/proof/laws/draw.h"
+#include "apps/proof/laws/pair_generator.h"
 #include "geometry/errors.h"
 #include "geometry/spatial/convex_blocker.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "apps/laws/exact.h"
+#include "apps/proof/laws/exact.h"
 #include "geometry/region.h"
 #include "geometry/spatial/shadow_volume.h"
 

@@ -7,8 +7,8 @@
 #include <ostream>
 #include <tuple>
 
-#include "apps/laws/any_pair.h"
-#include "apps/laws/draw.h"
+#include "apps/proof/laws/any_pair.h"
+#include "apps/proof/laws/draw.h"
 #include "geometry/kernel.h"
 #include "geometry/spatial/polygon_checks.h"
 #include "geometry/spatial/position.h"

@@ -9,9 +9,9 @@
 #include <map>
 #include <ostream>
 
-#include "apps/laws/any_pair.h"
-#include "apps/laws/draw.h"
-#include "apps/laws/exact.h"
+#include "apps/proof/laws/any_pair.h"
+#include "apps/proof/laws/draw.h"
+#include "apps/proof/laws/exact.h"
 #include "geometry/errors.h"
 #include "geometry/rounding.h"
 #include "geometry/spatial/pair_polyhedra.h"

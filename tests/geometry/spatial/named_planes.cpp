@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "apps/laws/pair_generator.h"
+#include "apps/proof/laws/pair_generator.h"
 #include "geometry/kernel.h"
 #include "geometry/spatial/orientation.h"
 

@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "apps/laws/draw.h"
+#include "apps/proof/laws/draw.h"
 #include "geometry/kernel.h"
 
 namespace gnomon {

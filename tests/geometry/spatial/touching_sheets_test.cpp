@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "apps/laws/draw.h"
+#include "apps/proof/laws/draw.h"
 #include "geometry/errors.h"
 
 // Unions of unit cubes touch themselves in every way: along edges, round them, at vertices.

@@ -10,10 +10,10 @@
 #include <ostream>
 #include <set>
 
-#include "apps/laws/any_pair.h"
-#include "apps/laws/draw.h"
-#include "apps/laws/pair_generator.h"
-#include "apps/laws/spatial_cases.h"
+#include "apps/proof/laws/any_pair.h"
+#include "apps/proof/laws/draw.h"
+#include "apps/proof/laws/pair_generator.h"
+#include "apps/proof/laws/spatial_cases.h"
 #include "geometry/errors.h"
 #include "geometry/rounding.h"
 #include "geometry/spatial/difference_surface.h"

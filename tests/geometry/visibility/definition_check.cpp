@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "apps/laws/sight.h"
+#include "apps/proof/laws/sight.h"
 
 namespace gnomon {
 namespace {

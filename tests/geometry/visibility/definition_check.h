@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "apps/laws/sight_cases.h"
+#include "apps/proof/laws/sight_cases.h"
 #include "geometry/visibility/visibility.h"
 
 namespace gnomon {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "apps/laws/sight_cases.h"
+#include "apps/proof/laws/sight_cases.h"
 #include "geometry/visibility/exact_visible_part.h"
 #include "geometry/visibility/visibility.h"
 #include "tests/support/dice.h"

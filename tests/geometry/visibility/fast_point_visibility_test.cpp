@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "apps/laws/sight_cases.h"
+#include "apps/proof/laws/sight_cases.h"
 #include "geometry/visibility/visibility.h"
 #include "tests/support/dice.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/laws/definition.h"
+#include "apps/proof/laws/definition.h"
 #include "geometry/scene/convex_parts.h"
 #include "geometry/scene/scene_points.h"
 #include "geometry/scene/scene_reader.h"

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "apps/laws/sight_cases.h"
+#include "apps/proof/laws/sight_cases.h"
 
 namespace gnomon {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "apps/laws/cone.h"
-#include "apps/laws/exact.h"
+#include "apps/proof/laws/cone.h"
+#include "apps/proof/laws/exact.h"
 #include "geometry/visibility/visibility.h"
 
 // What the literature says and what is false: the counterexamples, by what points see.

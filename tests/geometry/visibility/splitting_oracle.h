@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "apps/laws/exact.h"
+#include "apps/proof/laws/exact.h"
 #include "geometry/kernel.h"
 #include "geometry/region.h"
 #include "geometry/spatial/convex_blocker.h"

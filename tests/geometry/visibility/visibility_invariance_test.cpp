@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "apps/laws/draw.h"
-#include "apps/laws/sight_cases.h"
+#include "apps/proof/laws/draw.h"
+#include "apps/proof/laws/sight_cases.h"
 #include "geometry/visibility/visibility.h"
 
 namespace gnomon {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "apps/laws/sight_cases.h"
+#include "apps/proof/laws/sight_cases.h"
 #include "tests/geometry/visibility/definition_check.h"
 
 namespace gnomon {

@@ -6,9 +6,9 @@
 
 #include <algorithm>
 
-#include "apps/laws/draw.h"
-#include "apps/laws/sight.h"
-#include "apps/laws/sight_cases.h"
+#include "apps/proof/laws/draw.h"
+#include "apps/proof/laws/sight.h"
+#include "apps/proof/laws/sight_cases.h"
 
 namespace gnomon {
 namespace {

@@ -1,0 +1,95 @@
+#include "apps/proof/laws/event_mutants.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace gnomon::laws {
+namespace {
+
+using Keys = std::vector<std::string>;
+using Surfaces = std::vector<DiscontinuitySurface>;
+
+Mutant surfaces(std::string name, std::string does, Keys caught_by, void (*break_them)(Surfaces&)) {
+  Mutant mutant{std::move(name), std::move(does), Part::discontinuity_surfaces, {}, std::move(caught_by)};
+  mutant.subject.discontinuity_surfaces = [=, original = mutant.subject.discontinuity_surfaces](
+                                              const auto& light, const auto& blockers, const auto& receivers,
+                                              const Box3& box) {
+    Surfaces found = original(light, blockers, receivers, box);
+    break_them(found);
+    return found;
+  };
+  return mutant;
+}
+
+Mutant receiver(std::string name, std::string does, Keys caught_by, void (*break_it)(DividedReceiver&)) {
+  Mutant mutant{std::move(name), std::move(does), Part::divided_receiver, {}, std::move(caught_by)};
+  mutant.subject.divided_receiver = [=](const auto& light, const auto& blockers, const ConvexPolygon& floor) {
+    DividedReceiver found = divided_receiver(light, blockers, floor);
+    break_it(found);
+    return found;
+  };
+  return mutant;
+}
+
+/// Makes one face of all faces of a region.
+void merge_faces(DividedReceiver& receiver) {
+  for (ReceiverTriangle& triangle : receiver.triangles) {
+    const auto first = std::ranges::find(receiver.faces, receiver.faces[triangle.face]);
+    triangle.face = static_cast<std::uint32_t>(first - receiver.faces.begin());
+  }
+}
+
+void exchange(ReceiverRegion& region) {
+  if (region == ReceiverRegion::lit) {
+    region = ReceiverRegion::penumbra;
+  } else if (region == ReceiverRegion::penumbra) {
+    region = ReceiverRegion::lit;
+  }
+}
+
+}  // namespace
+
+std::vector<Mutant> event_mutants() {
+  return {
+      surfaces("drop_surface", "the last discontinuity surface forgotten", {"E6"},
+               [](Surfaces& all) {
+                 if (!all.empty()) all.pop_back();
+               }),
+      surfaces("first_order", "every discontinuity surface said to be of order D1", {"E5", "E2"},
+               [](Surfaces& all) {
+                 for (DiscontinuitySurface& surface : all) surface.name.order = 1;
+               }),
+      surfaces("coplanar_unnoticed", "coplanar edges not noticed: orders D0 and D1 raised by one", {"E5", "E3"},
+               [](Surfaces& all) {
+                 for (DiscontinuitySurface& surface : all) {
+                   if (surface.name.order < 2) ++surface.name.order;
+                 }
+               }),
+      surfaces("swap_vertices", "vertices 0 and 1 exchanged in the names of discontinuity surfaces", {"E5", "E2"},
+               [](Surfaces& all) {
+                 for (DiscontinuitySurface& surface : all) {
+                   if (surface.name.vertex.index < 2) surface.name.vertex.index = 1 - surface.name.vertex.index;
+                 }
+               }),
+      surfaces("neighbour_edge", "a neighbouring edge in the name of the first discontinuity surface", {"E6"},
+               [](Surfaces& all) {
+                 std::uint32_t& index = all.front().name.edge.index;
+                 index = index == 0 ? 1 : index - 1;
+               }),
+      receiver("drop_contacts", "contacts of blockers and receivers said to be of order D2", {"E1"},
+               [](DividedReceiver& found) {
+                 for (EventName& name : found.names) {
+                   if (name.kind == EventKind::contact) name.order = 2;
+                 }
+               }),
+      receiver("merge_faces", "edges between faces of one region forgotten", {"E7"}, merge_faces),
+      receiver("swap_light_and_penumbra", "lit and penumbral faces of a receiver exchanged", {"M5"},
+               [](DividedReceiver& found) { std::ranges::for_each(found.faces, exchange); }),
+      receiver("shift_boundary", "vertices of a receiver's mesh a little aside", {"M5", "E1"},
+               [](DividedReceiver& found) {
+                 for (Point3& p : found.vertices) p = {p.x + 0x1p-20, p.y + 0x1p-20, p.z};
+               }),
+  };
+}
+
+}  // namespace gnomon::laws

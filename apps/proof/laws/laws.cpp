@@ -1,0 +1,41 @@
+#include <algorithm>
+#include <utility>
+
+#include "apps/proof/laws/any_position_laws.h"
+#include "apps/proof/laws/event_count_laws.h"
+#include "apps/proof/laws/event_laws.h"
+#include "apps/proof/laws/flatland_claims.h"
+#include "apps/proof/laws/flatland_laws.h"
+#include "apps/proof/laws/planar_laws.h"
+#include "apps/proof/laws/receiver_laws.h"
+#include "apps/proof/laws/sight_laws.h"
+#include "apps/proof/laws/spatial_claims.h"
+#include "apps/proof/laws/spatial_laws.h"
+
+namespace gnomon::laws {
+
+std::vector<Law> all_laws() {
+  std::vector<Law> all;
+  for (const auto& family : {planar_laws(), flatland_laws(), flatland_claims(), spatial_laws(), any_position_laws(),
+                             sight_laws(), event_laws(), event_count_laws(), receiver_laws(), spatial_claims()}) {
+    all.insert(all.end(), family.begin(), family.end());
+  }
+  const std::vector<std::string> order = all_keys();
+  // An entry "S6_any" follows S6: the same statement of more pairs.
+  const auto place = [&](const Law& law) {
+    return std::ranges::find(order, law.key.substr(0, law.key.find('_'))) - order.begin();
+  };
+  std::ranges::stable_sort(all, {}, place);
+  return all;
+}
+
+std::vector<std::string> all_keys() {
+  const std::pair<char, int> families[] = {{'P', 10}, {'Q', 6}, {'S', 15}, {'M', 5}, {'E', 7}, {'F', 7}};
+  std::vector<std::string> keys;
+  for (const auto& [letter, last] : families) {
+    for (int number = 1; number <= last; ++number) keys.push_back(letter + std::to_string(number));
+  }
+  return keys;
+}
+
+}  // namespace gnomon::laws

@@ -1,0 +1,31 @@
+#include <array>
+#include <string_view>
+
+#include "apps/gnomon/program.h"
+#include "apps/keep_memory.h"
+#include "apps/proof/proof_commands.h"
+
+namespace gnomon {
+namespace {
+
+constexpr std::array commands{
+    Command{"theorems", "checks every numbered statement of the theory, and refutes the false ones", theorems_command},
+    Command{"report", "measures speed against error and tries hard cases, with plots", report_command},
+};
+
+constexpr Program program{
+    "gnomon-proof",
+    "gnomon-proof checks the theory that gnomon rests on, and measures gnomon beside other programs.",
+    commands,
+    {},
+    {},
+    "  gnomon-proof theorems --cases 40\n"
+    "  gnomon-proof report --out report_quick --quick\n"};
+
+}  // namespace
+}  // namespace gnomon
+
+int main(int argc, char** argv) {
+  if (argc > 1 && std::string_view(argv[1]) == "theorems") gnomon::start_with_large_thread_caches(argv);
+  return gnomon::run_program(gnomon::program, argc, argv);
+}
