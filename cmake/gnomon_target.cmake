@@ -16,10 +16,10 @@ function(gnomon_target name)
   endif()
 endfunction()
 
-# gnomon_precompile(NAME header...): reads heavy headers once per target, which shortens a first build by a third.
+# gnomon_precompile(NAME header...): reads heavy headers once per target, which pays where many batches need them.
 # With ccache nothing is precompiled: it would miss where it otherwise hits.
 function(gnomon_precompile name)
-  if(NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  if(NOT CMAKE_CXX_COMPILER_LAUNCHER MATCHES ccache)
     target_precompile_headers(${name} PRIVATE ${ARGN})
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
       # Precompiled, std::string is no system header any more to g++ 12, which then warns of what it gets wrong there.

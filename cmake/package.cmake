@@ -1,4 +1,5 @@
-# cpack -G DEB makes a package of what `cmake --install` installs. Shared libraries are found by dpkg-shlibdeps; what the
+# cpack -G DEB makes a package of what `cmake --install` installs; gnomon-proof, if it was built, is a package of its own.
+# Shared libraries are found by dpkg-shlibdeps; what the
 # program only uses when asked to (a virtual display, three.js) is recommended.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME gnomon)
@@ -12,9 +13,22 @@ set(CPACK_PACKAGE_CONTACT "The gnomon maintainers <maintainers@users.noreply.git
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL gnomon)
+set(CPACK_DEBIAN_GNOMON_PACKAGE_NAME gnomon)
+if(GNOMON_PROOF)
+  list(APPEND CPACK_COMPONENTS_ALL proof)
+  set(CPACK_DEBIAN_PROOF_PACKAGE_NAME gnomon-proof)
+  set(CPACK_DEBIAN_PROOF_PACKAGE_DEPENDS "gnomon (= ${PROJECT_VERSION})")
+  set(CPACK_DEBIAN_PROOF_PACKAGE_RECOMMENDS "")
+  set(CPACK_COMPONENT_PROOF_DESCRIPTION
+"checks the numbered statements of the theory that gnomon rests on (gnomon theorems), and measures gnomon's speed against
+error beside other programs (gnomon report).")
+endif()
+set(CPACK_COMPONENT_GNOMON_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION}")
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION math)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "xvfb, libgl1-mesa-dri, libjs-three")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "paraview, libcgal-dev, libvtk9-dev")
+set(CPACK_DEBIAN_GNOMON_PACKAGE_RECOMMENDS "xvfb, libgl1-mesa-dri, libjs-three")
+set(CPACK_DEBIAN_GNOMON_PACKAGE_SUGGESTS "paraview, libcgal-dev, libvtk9-dev")
 include(CPack)

@@ -1,5 +1,6 @@
 #include "apps/gnomon/command_line.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <charconv>

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -12,6 +11,11 @@
 #include "apps/gnomon/commands.h"
 #include "geometry/point.h"
 #include "geometry/scene/scene.h"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
 
 namespace gnomon {
 

@@ -1,4 +1,5 @@
 #include <tbb/enumerable_thread_specific.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <functional>
@@ -76,14 +77,14 @@ std::vector<LitRow> lit_rows(std::vector<TableRow> batch, LightsOfThreads& light
 }
 
 /// Where the results go: any of a CSV file or stdout, and a JSON file or stdout.
-struct Outputs {
+struct IrradianceOutputs {
   std::optional<OutputFile> csv_file;
   std::optional<OutputFile> json_file;
   std::optional<IrradianceCsv> csv;
   std::optional<IrradianceJson> json;
 
-  Outputs(const IrradianceOptions& options, const Scene& scene, const std::string& header,
-          const std::vector<std::string>& lights) {
+  IrradianceOutputs(const IrradianceOptions& options, const Scene& scene, const std::string& header,
+                    const std::vector<std::string>& lights) {
     if (!options.out.empty()) csv_file.emplace(options.out);
     if (csv_file || options.json != "-") csv.emplace(csv_file ? csv_file->stream() : std::cout, header, lights);
     if (options.json.empty()) return;
@@ -117,7 +118,7 @@ ExitCode write_irradiance(const IrradianceOptions& options, const Scene& scene, 
   });
   std::vector<std::string> names;
   for (const SceneLight* light : chosen) names.push_back(light->name);
-  Outputs outputs(options, scene, receivers.header, names);
+  IrradianceOutputs outputs(options, scene, receivers.header, names);
   tbb::task_arena threads(arena_size(options.threads));
   if (names.empty()) print_warning("the scene has no light");
   Progress progress("point", receivers.count, progress_visibility(options.quiet, options.out.empty()));

@@ -28,7 +28,7 @@ constexpr std::array proof_commands{
             [](Arguments arguments) { return proof_command("report", arguments); }},
 };
 
-constexpr Program program{
+constexpr ProgramText program{
     "gnomon",
     "gnomon computes exact shadow volumes of lights behind convex blockers, and hands them to ParaView.",
     commands,

@@ -53,7 +53,7 @@ std::string excerpt(std::string_view text) {
 }
 
 /// The double nearest to a decimal number; nothing for other text and for what overflows.
-std::optional<double> finite_number(std::string_view text) {
+std::optional<double> finite_field(std::string_view text) {
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -107,7 +107,7 @@ std::optional<std::variant<PointRow, MalformedRow>> PointTable::next() {
   }
   PointRow row{line_, text_, {}, {}};
   for (std::size_t i = 0; i < numbers_; ++i) {
-    const std::optional<double> value = finite_number(fields[i]);
+    const std::optional<double> value = finite_field(fields[i]);
     if (!value) {
       return MalformedRow{
           line_, std::string(column_names[i]) + ": found " + excerpt(fields[i]) + ", expected a finite number"};

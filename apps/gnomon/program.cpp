@@ -17,7 +17,7 @@
 namespace gnomon {
 namespace {
 
-const Command* command_called(const Program& program, std::string_view name) {
+const Command* command_called(const ProgramText& program, std::string_view name) {
   for (const std::span<const Command> commands : {program.commands, program.elsewhere}) {
     const auto found = std::ranges::find(commands, name, &Command::name);
     if (found != commands.end()) return &*found;
@@ -25,7 +25,7 @@ const Command* command_called(const Program& program, std::string_view name) {
   return nullptr;
 }
 
-std::vector<std::string_view> command_names(const Program& program) {
+std::vector<std::string_view> command_names(const ProgramText& program) {
   std::vector<std::string_view> names;
   for (const std::span<const Command> commands : {program.commands, program.elsewhere}) {
     for (const Command& command : commands) names.push_back(command.name);
@@ -41,7 +41,7 @@ void print_commands(std::ostream& stream, std::string_view title, std::span<cons
   }
 }
 
-void print_help(std::ostream& stream, const Program& program) {
+void print_help(std::ostream& stream, const ProgramText& program) {
   const std::string name(program.name);
   stream << program.purpose << "\n\nUsage: " << name << " COMMAND [OPTIONS]\n";
   print_commands(stream, "Commands", program.commands);
@@ -57,7 +57,7 @@ void print_help(std::ostream& stream, const Program& program) {
          << program.examples;
 }
 
-ExitCode refuse(const Program& program, const std::string& word) {
+ExitCode refuse(const ProgramText& program, const std::string& word) {
   if (word.starts_with("-")) throw UsageError("unknown option '" + word + "' in place of a command");
   const std::vector<std::string_view> names = command_names(program);
   std::string list;
@@ -66,7 +66,7 @@ ExitCode refuse(const Program& program, const std::string& word) {
                    "', the commands are " + list);
 }
 
-ExitCode run(const Program& program, Arguments words) {
+ExitCode run(const ProgramText& program, Arguments words) {
   if (words.empty()) {
     print_help(std::cerr, program);
     return ExitCode::usage;
@@ -89,7 +89,7 @@ ExitCode fail(ExitCode code, std::string_view message) {
   return code;
 }
 
-ExitCode misuse(const Program& program, Arguments words, std::string_view message) {
+ExitCode misuse(const ProgramText& program, Arguments words, std::string_view message) {
   print_error(message);
   const bool known = !words.empty() && command_called(program, words.front()) != nullptr;
   std::cerr << "Try '" << program.name << ' ' << (known ? words.front() + " " : "") << "--help'.\n";
@@ -98,7 +98,7 @@ ExitCode misuse(const Program& program, Arguments words, std::string_view messag
 
 }  // namespace
 
-int run_program(const Program& program, int argc, char** argv) {
+int run_program(const ProgramText& program, int argc, char** argv) {
   keep_freed_memory();
   prepare_streams();
   ExitCode code = ExitCode::done;

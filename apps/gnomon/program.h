@@ -14,7 +14,7 @@ struct Command {
 };
 
 /// A program of several commands, as its help describes it.
-struct Program {
+struct ProgramText {
   std::string_view name;
   std::string_view purpose;  ///< one sentence
   std::span<const Command> commands;
@@ -26,6 +26,6 @@ struct Program {
 /// Runs the command that the arguments name; prints help, version and errors.
 ///
 /// Returns: the exit code.
-int run_program(const Program& program, int argc, char** argv);
+int run_program(const ProgramText& program, int argc, char** argv);
 
 }  // namespace gnomon

@@ -1,3 +1,4 @@
+#include <CLI/CLI.hpp>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -54,14 +55,14 @@ std::vector<JudgedRow> judged_batch(PointTable& table, const RegionFinder& finde
 }
 
 /// Where the results go: any of a CSV file or stdout, and a JSON file or stdout.
-struct Outputs {
+struct RegionsOutputs {
   std::optional<OutputFile> csv_file;
   std::optional<OutputFile> json_file;
   std::optional<RegionsCsv> csv;
   std::optional<RegionsJson> json;
 
-  Outputs(const RegionsOptions& options, const Scene& scene, const PointTable& table,
-          const std::vector<std::string>& lights) {
+  RegionsOutputs(const RegionsOptions& options, const Scene& scene, const PointTable& table,
+                 const std::vector<std::string>& lights) {
     if (!options.out.empty()) csv_file.emplace(options.out);
     if (csv_file || options.json != "-") csv.emplace(csv_file ? csv_file->stream() : std::cout, table.header(), lights);
     if (options.json.empty()) return;
@@ -85,7 +86,7 @@ ExitCode write_regions(const RegionsOptions& options, const Scene& scene, std::i
                        const std::string& file) {
   const RegionFinder finder = region_finder(scene, options.light);
   PointTable table(stream, file, scene.dimension == 2 ? TableColumns::planar_points : TableColumns::points);
-  Outputs outputs(options, scene, table, finder.lights);
+  RegionsOutputs outputs(options, scene, table, finder.lights);
   RegionCounts counts(finder.lights);
   tbb::task_arena threads(arena_size(options.threads));
   if (finder.lights.empty()) print_warning("the scene has no light");

@@ -1,5 +1,6 @@
 #include "apps/gnomon/scene_text.h"
 
+#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <variant>

@@ -1,6 +1,7 @@
 #include "apps/gnomon/shadow_json.h"
 
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "apps/gnomon/output_file.h"

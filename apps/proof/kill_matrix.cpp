@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "apps/gnomon/console.h"
 #include "apps/gnomon/point_batches.h"

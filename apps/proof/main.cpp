@@ -13,7 +13,7 @@ constexpr std::array commands{
     Command{"report", "measures speed against error and tries hard cases, with plots", report_command},
 };
 
-constexpr Program program{
+constexpr ProgramText program{
     "gnomon-proof",
     "gnomon-proof checks the theory that gnomon rests on, and measures gnomon beside other programs.",
     commands,

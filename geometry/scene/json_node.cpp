@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <nlohmann/json.hpp>
 
 #include "geometry/scene/json_text.h"
 #include "geometry/scene/scene_reader.h"
@@ -67,6 +68,10 @@ bool JsonNode::boolean(std::string_view expected) const {
 double JsonNode::number(std::string_view expected) const {
   if (!value_->is_number()) refuse_value(expected);
   return value_->get<double>();
+}
+
+bool JsonNode::is_number(int value) const {
+  return value_->is_number() && *value_ == value;
 }
 
 std::string JsonNode::description() const {

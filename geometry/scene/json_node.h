@@ -1,7 +1,7 @@
 #pragma once
 
 #include <initializer_list>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,7 +35,7 @@ class JsonNode {
   bool boolean(std::string_view expected) const;
   double number(std::string_view expected) const;
 
-  bool is_number(int value) const { return value_->is_number() && *value_ == value; }
+  bool is_number(int value) const;
 
   /// The value in words: `the string "lamp"`, `the number 3`, `an array of 4`.
   std::string description() const;

@@ -1,6 +1,7 @@
 #include "geometry/scene/scene_reader.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "geometry/scene/file_text.h"

@@ -61,7 +61,7 @@ BENCHMARK(plain_doubles)->Name("extremal_planes/plain_doubles")->Apply(all_sizes
 BENCHMARK(convex_hull)->Name("extremal_planes/convex_hull_3")->Arg(3)->Arg(4)->Arg(16)->Arg(64)->Arg(256);
 BENCHMARK(halfspace_intersection)->Name("extremal_planes/halfspace_intersection_3")->Apply(all_sizes);
 
-[[maybe_unused]] const bool asked = [] {
+[[maybe_unused]] const bool extremal_planes_asked = [] {
   const std::string exact_walk = "extremal_planes/exact/";
   const std::string plain_walk = "extremal_planes/plain_doubles/";
   for (const char* n : {"3", "4", "16", "256", "1024"}) {

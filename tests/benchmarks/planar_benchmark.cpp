@@ -159,7 +159,7 @@ BENCHMARK(partition_of_plane)
 // With 20 segments the lines make half a million faces.
 BENCHMARK(all_lines)->Name("planar/all_lines")->Arg(5)->Arg(10)->Unit(benchmark::kMillisecond);
 
-[[maybe_unused]] const bool asked = [] {
+[[maybe_unused]] const bool planar_asked = [] {
   add_ratio(
       {"planar/all_lines/5", "planar/partition/5", 1, 0, "arrangement of all lines in units of the partition, 5"});
   add_ratio(

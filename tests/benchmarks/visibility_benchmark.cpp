@@ -166,7 +166,7 @@ bool ratio(int n, double at_most) {
                     "exact visibility / shadow rays at 1e-3, " + std::to_string(n) + " triangles"});
 }
 
-const bool asked = ratio(1, 1.0 / 200) && ratio(64, 1.0 / 30) && ratio(1024, 1.0 / 25);
+const bool visibility_asked = ratio(1, 1.0 / 200) && ratio(64, 1.0 / 30) && ratio(1024, 1.0 / 25);
 
 }  // namespace
 }  // namespace gnomon::benchmarks

@@ -60,7 +60,7 @@ BENCHMARK(meshes_of_aligned_squares)->Name("volume_mesh/aligned_squares");
 BENCHMARK(solid)->Name("volume_mesh/solid")->Arg(100)->Arg(1000);
 BENCHMARK(parts_of_a_mesh)->Name("volume_mesh/triangles_of_a_mesh")->Arg(5000)->Unit(benchmark::kMillisecond);
 
-[[maybe_unused]] const bool asked = [] {
+[[maybe_unused]] const bool volume_mesh_asked = [] {
   const std::string polygons = "volume_mesh/polygons/";
   const std::string plain = "extremal_planes/plain_doubles/4";
   add_ratio({polygons + "4", plain, 0.136, 10, "us for both meshes 4/4, were plain doubles to take 136 ns"});

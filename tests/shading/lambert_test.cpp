@@ -20,7 +20,7 @@ AreaLight square_light(double half, double height) {
       {{-half, -half, height}, {-half, half, height}, {half, half, height}, {half, -half, height}})};
 }
 
-std::vector<ExactView> views_from(const Point3& p, const testing::SplitView& split) {
+std::vector<ExactView> views_from(const Point3& p, const test_support::SplitView& split) {
   std::vector<ExactView> views;
   for (const auto& piece : split.visible) {
     ExactView& view = views.emplace_back();
@@ -45,7 +45,7 @@ Compared compare(const AreaLight& light, const std::vector<ConvexBlocker>& block
   FastVisibility visibility(light, BlockerSet(blockers));
   const std::optional<LightSeen> seen = visibility.seen_from(p);
   if (!seen) return {};
-  const testing::SplitView split = testing::split_view(light, blockers, p);
+  const test_support::SplitView split = test_support::split_view(light, blockers, p);
   const IrradianceInterval truth =
       reference_irradiance(views_from(p, split), {Rational(n.x), Rational(n.y), Rational(n.z)}, 200);
   return {lambert_irradiance(*seen, n, 1), truth};

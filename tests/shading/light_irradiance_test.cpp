@@ -16,7 +16,7 @@
 namespace gnomon {
 namespace {
 
-using testing::Dice;
+using test_support::Dice;
 
 Point3 draw_point(Dice& dice, int reach, int low, int high) {
   const double x = dice.draw(-reach, reach);
@@ -144,7 +144,7 @@ TEST(LightIrradianceAgreement, BothLevelsHoldTheTruthOf200Bits) {
     const Point3 n = draw_point(dice, 2, -3, 3);
     if (n == Point3{}) continue;
     std::vector<std::vector<ExactCorner>> views;
-    for (const auto& piece : testing::split_view(light, blockers, p).visible) {
+    for (const auto& piece : test_support::split_view(light, blockers, p).visible) {
       auto& view = views.emplace_back();
       for (const auto& v : piece) {
         view.push_back({Rational(v.x - Rational(p.x)), Rational(v.y - Rational(p.y)), Rational(v.z - Rational(p.z))});

@@ -10,7 +10,7 @@
 namespace gnomon {
 namespace {
 
-using testing::Dice;
+using test_support::Dice;
 
 ConvexPolygon polygon(std::vector<Point3> points) {
   return ConvexPolygon::from_points(std::move(points));

@@ -6,7 +6,7 @@
 
 #include <rapidcheck.h>
 
-namespace gnomon::testing {
+namespace gnomon::test_support {
 
 /// What a test draws, from a seed: its own, or one that RapidCheck draws and prints.
 class Dice {
@@ -28,4 +28,4 @@ class Dice {
   std::mt19937 engine_;
 };
 
-}  // namespace gnomon::testing
+}  // namespace gnomon::test_support

@@ -68,21 +68,21 @@ std::vector<SeenPiece> structure_at(const ReceiverScene& scene, const ExactVecto
   return seen_pieces(std::get<AreaLight>(scene.drawn.light), scene.blockers, scene.path(p, {}));
 }
 
-const std::array<std::array<Rational, 3>, 2> shares = {
+const std::array<std::array<Rational, 3>, 2> triangle_shares = {
     {{Rational(3, 4), Rational(1, 8), Rational(1, 8)}, {Rational(1, 8), Rational(1, 4), Rational(5, 8)}}};
 
 /// Points of one face: of one triangle, and of another if no three edges can be in line.
 std::vector<ExactVector> points_of_a_face(const ReceiverScene& scene, const DividedReceiver& mesh) {
   const std::size_t n = mesh.triangles.size(), first = scene.drawn.choice % n;
   std::vector<ExactVector> points;
-  for (const auto& share : shares) {
+  for (const auto& share : triangle_shares) {
     if (const auto p = place_in(scene, mesh, mesh.triangles[first], share)) points.push_back(*p);
   }
   if (scene.blockers.size() > 1 || points.empty()) return points;
   for (std::size_t k = 1; k < n; ++k) {
     const ReceiverTriangle& other = mesh.triangles[(first + k) % n];
     if (other.face != mesh.triangles[first].face) continue;
-    const auto p = place_in(scene, mesh, other, shares[0]);
+    const auto p = place_in(scene, mesh, other, triangle_shares[0]);
     if (!p) continue;
     points.push_back(*p);
     break;
@@ -195,7 +195,7 @@ Verdict check_boundary(const ReceiverCase& drawn, const Subject& subject) {
   const ReceiverScene scene(drawn);
   const DividedReceiver mesh = subject.divided_receiver(drawn.light, drawn.blockers, drawn.floor);
   const ReceiverTriangle& triangle = mesh.triangles[drawn.choice % mesh.triangles.size()];
-  const auto p = place_in(scene, mesh, triangle, shares[0]);
+  const auto p = place_in(scene, mesh, triangle, triangle_shares[0]);
   const ReceiverRegion region = mesh.faces[triangle.face];
   if (p && !is_unlit(region)) {
     const bool lit = is_lit_after(drawn.light, scene.blockers, scene.path(*p, scene.direction));

@@ -22,11 +22,12 @@ using Blockers = std::vector<ConvexBlocker>;
 using Names = std::set<std::tuple<std::uint32_t, std::uint32_t>>;
 
 const Box3 wide_box{{-20, -20, -1}, {20, 20, 5}};
-const ConvexPolygon ground = rectangle(-8, -8, 8, 8, 0, Facing::up);
+const ConvexPolygon events_ground = rectangle(-8, -8, 8, 8, 0, Facing::up);
 
 std::vector<EventName> surface_names(const Light& light, const Blockers& blockers) {
   std::vector<EventName> names;
-  for (const auto& s : discontinuity_surfaces(light, blockers, std::vector{ground}, wide_box)) names.push_back(s.name);
+  for (const auto& s : discontinuity_surfaces(light, blockers, std::vector{events_ground}, wide_box))
+    names.push_back(s.name);
   return names;
 }
 
@@ -94,7 +95,8 @@ TEST(DiscontinuitySurfaces, OfASolidStartAtItsOutlineOnly) {
 
 TEST(DiscontinuitySurfaces, EndAtTheFirstBlockerOrReceiver) {
   const Blockers shelves{rectangle(-1, -1, 1, 1, 2, Facing::up), rectangle(-4, -4, 4, 4, 1, Facing::up)};
-  for (const auto& surface : discontinuity_surfaces(PointLight{{0, 0, 4}}, shelves, std::vector{ground}, wide_box)) {
+  for (const auto& surface :
+       discontinuity_surfaces(PointLight{{0, 0, 4}}, shelves, std::vector{events_ground}, wide_box)) {
     const bool of_upper = surface.name.edge.element == 0;
     for (const auto& polygon : surface.polygons) {
       for (const Point3& p : polygon) {
@@ -116,7 +118,7 @@ double growth(const Light& light, const Blockers& blockers, const Point3& bounda
 
 /// For every edge between a lit and a penumbral face: the growth and the lowest order of its names.
 std::vector<std::pair<double, int>> growths(const Light& light, const Blockers& blockers) {
-  const ReceiverMesh mesh = receiver_meshes(light, blockers, std::vector{ground}).front();
+  const ReceiverMesh mesh = receiver_meshes(light, blockers, std::vector{events_ground}).front();
   const std::vector<Point3> points = mesh.vertices();
   std::vector<std::pair<double, int>> found;
   for (const MeshEdge& edge : mesh.edges()) {
@@ -198,9 +200,9 @@ std::optional<Structure> structure_at(FastVisibility& sight, const Point3& p) {
 
 /// Compares what several points of each face see; returns the number of comparisons.
 std::size_t expect_constant_structure(const AreaLight& light, const Blockers& blockers) {
-  const ReceiverMesh mesh = receiver_meshes(light, blockers, std::vector{ground}).front();
+  const ReceiverMesh mesh = receiver_meshes(light, blockers, std::vector{events_ground}).front();
   const CGAL::Protect_FPU_rounding<true> upward;
-  const event::EventScene scene(light, blockers, std::vector{ground});
+  const event::EventScene scene(light, blockers, std::vector{events_ground});
   const CGAL::Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
   FastVisibility sight(light, BlockerSet(blockers));
   const std::vector<Point3> points = mesh.vertices();

@@ -16,7 +16,7 @@ namespace {
 
 using Blockers = std::vector<ConvexBlocker>;
 
-const ConvexPolygon ground = rectangle(-6, -6, 6, 6, 0, Facing::up);
+const ConvexPolygon change_ground = rectangle(-6, -6, 6, 6, 0, Facing::up);
 
 /// Blockers one above the other that hide the light together.
 class OverlappingScene {
@@ -104,7 +104,7 @@ struct Tally {
 
 /// Compares what certified faces are said to be with points drawn in them, and counts the others.
 void expect_true_faces(const Light& light, const Blockers& blockers, Tally& tally) {
-  const ReceiverMesh mesh = receiver_meshes(light, blockers, std::vector{ground}).front();
+  const ReceiverMesh mesh = receiver_meshes(light, blockers, std::vector{change_ground}).front();
   const std::vector<RegionCount> counts = drawn_in_faces(mesh, light, blockers, 8);
   tally.faces += counts.size();
   for (std::size_t f = 0; f < counts.size(); ++f) {

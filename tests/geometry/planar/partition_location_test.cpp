@@ -44,7 +44,7 @@ std::vector<Point2> asked_points(const FlatlandCase& drawn, const Partition& par
   return points;
 }
 
-FlatlandCase drawn_case(Domain domain, int most) {
+FlatlandCase located_case(Domain domain, int most) {
   const FlatlandCase drawn = *laws::flatland_cases(domain, Layout::any, most);
   RC_LOG() << laws::description(drawn);
   return drawn;
@@ -70,19 +70,19 @@ std::vector<Rational> places(const SightQuery& query, const VisibleLight& seen) 
 }
 
 RC_GTEST_PROP(PartitionLocationAgreement, RegionsAreThoseThatThePointSees, ()) {
-  expect_regions(drawn_case(Domain::random, 6), {});
+  expect_regions(located_case(Domain::random, 6), {});
 }
 
 RC_GTEST_PROP(PartitionLocationAgreement, RegionsOneUlpOffAreThoseThatThePointSees, ()) {
-  expect_regions(drawn_case(Domain::near_degenerate, 5), {});
+  expect_regions(located_case(Domain::near_degenerate, 5), {});
 }
 
 RC_GTEST_PROP(PartitionLocationAgreement, RegionsInAndOutsideABoxAreThoseThatThePointSees, ()) {
-  expect_regions(drawn_case(Domain::random, 6), {Fineness::regions, Box2{{-9, -8}, {9.5, 7}}});
+  expect_regions(located_case(Domain::random, 6), {Fineness::regions, Box2{{-9, -8}, {9.5, 7}}});
 }
 
 RC_GTEST_PROP(PartitionLocationAgreement, VisibleIntervalsAreThoseThatThePointSees, ()) {
-  const FlatlandCase drawn = drawn_case(Domain::random, 4);
+  const FlatlandCase drawn = located_case(Domain::random, 4);
   const Sight sight(drawn.flatland());
   const Partition parts = partition(sight, {Fineness::structure, {}});
   const PartitionLocation location(parts);

@@ -27,7 +27,7 @@ std::vector<fs::path> hard_scenes() {
   return files;
 }
 
-std::vector<Point3> vertices_of(const Light& light) {
+std::vector<Point3> light_vertices(const Light& light) {
   if (const auto* direction = std::get_if<DirectionalLight>(&light)) {
     const auto& [x, y, z] = direction->direction;
     return {{-8 * x, -8 * y, -8 * z}};
@@ -42,7 +42,7 @@ std::vector<Point3> vertices_of(const Light& light) {
 std::vector<Point3> boundary_points(const Light& light, const ConvexBlocker& blocker) {
   const auto corners = std::visit([](const auto& shape) { return shape.points(); }, blocker);
   std::vector<Point3> points;
-  for (const Point3& l : vertices_of(light)) {
+  for (const Point3& l : light_vertices(light)) {
     for (const Point3& b : corners) {
       for (const double s : {0.5, 2.0}) {
         points.push_back({b.x + s * (b.x - l.x), b.y + s * (b.y - l.y), b.z + s * (b.z - l.z)});

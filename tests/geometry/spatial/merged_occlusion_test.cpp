@@ -39,7 +39,7 @@ void showValue(const MergeCase& drawn, std::ostream& out) {
   out << std::setprecision(17) << "box " << a.x << ',' << a.y << ',' << a.z << ',' << b.x << ',' << b.y << ',' << b.z;
 }
 
-std::vector<Point3> points_of(const ConvexBlocker& blocker) {
+std::vector<Point3> corner_points(const ConvexBlocker& blocker) {
   const auto points = std::visit([](const auto& shape) { return shape.points(); }, blocker);
   return {points.begin(), points.end()};
 }
@@ -66,7 +66,7 @@ MergeCase draw_case(Domain domain) {
     const auto blocker = static_cast<laws::PairBlockerKind>(draw(0, 1));
     const laws::AnyPair pair = laws::draw_any_pair(domain, light, blocker, 0);
     MergeCase result{pair.light, {pair.blocker}, {}};
-    std::vector<Point3> pool = points_of(pair.blocker);
+    std::vector<Point3> pool = corner_points(pair.blocker);
     for (int i = draw(1, 3); i > 0; --i) {
       const Point3 a = pool[static_cast<std::size_t>(draw(0, 2))];
       const Point3 b = pool[static_cast<std::size_t>(draw(0, 2))];

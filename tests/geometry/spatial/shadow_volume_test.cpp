@@ -7,7 +7,7 @@
 namespace gnomon {
 namespace {
 
-Light lamp(double half) {
+Light square_lamp(double half) {
   return AreaLight{
       ConvexPolygon::from_points({{-half, -half, 4}, {-half, half, 4}, {half, half, 4}, {half, -half, 4}})};
 }
@@ -17,17 +17,17 @@ ConvexPolygon square() {
 }
 
 TEST(ShadowVolumes, UmbraIsBoundedExactlyWhenTheLampIsLarger) {
-  EXPECT_FALSE(shadow_volumes(lamp(0.5), square()).umbra_facts.bounded);
-  EXPECT_TRUE(shadow_volumes(lamp(2), square()).umbra_facts.bounded);
+  EXPECT_FALSE(shadow_volumes(square_lamp(0.5), square()).umbra_facts.bounded);
+  EXPECT_TRUE(shadow_volumes(square_lamp(2), square()).umbra_facts.bounded);
 }
 
 TEST(ShadowVolumesDegenerate, UmbraOfEqualSquaresIsAnUnboundedPrism) {
-  EXPECT_FALSE(shadow_volumes(lamp(1), square()).umbra_facts.bounded);
-  EXPECT_TRUE(shadow_volumes(lamp(std::nextafter(1.0, 2.0)), square()).umbra_facts.bounded);
+  EXPECT_FALSE(shadow_volumes(square_lamp(1), square()).umbra_facts.bounded);
+  EXPECT_TRUE(shadow_volumes(square_lamp(std::nextafter(1.0, 2.0)), square()).umbra_facts.bounded);
 }
 
 TEST(ShadowVolumes, SidesOfPointsAreDecidedExactly) {
-  const ShadowVolumes shadow = shadow_volumes(lamp(2), square());
+  const ShadowVolumes shadow = shadow_volumes(square_lamp(2), square());
   EXPECT_EQ(shadow.umbra.oriented_side({0, 0, 0}), Side::boundary);  // the apex
   EXPECT_EQ(shadow.umbra.oriented_side({0, 0, 0x1p-60}), Side::inside);
   EXPECT_EQ(shadow.umbra.oriented_side({0, 0, -0x1p-60}), Side::outside);
@@ -54,7 +54,7 @@ TEST(ShadowVolumes, PenumbraOfALinearLightFallsInTwoWhereTheUmbraStaysOpenInBoth
 }
 
 TEST(ShadowVolumesDegenerate, TwoSidedLampShadesWhatIsBehindItToo) {
-  Light both = lamp(0.5);
+  Light both = square_lamp(0.5);
   std::get<AreaLight>(both).two_sided = true;
   const ConvexPolygon above = ConvexPolygon::from_points({{-1, -1, 6}, {1, -1, 6}, {1, 1, 6}, {-1, 1, 6}});
   EXPECT_EQ(shadow_volumes(both, above).umbra.oriented_side({0, 0, 9}), Side::inside);

@@ -19,7 +19,7 @@ using laws::BlockerKind;
 using laws::Domain;
 using laws::LightKind;
 using laws::SightCase;
-using testing::Dice;
+using test_support::Dice;
 using Interval = VisiblePart::Interval;
 
 ConvexPolygon polygon(std::vector<Point3> points) {

@@ -16,7 +16,7 @@ using laws::BlockerKind;
 using laws::Domain;
 using laws::LightKind;
 using laws::SightCase;
-using testing::Dice;
+using test_support::Dice;
 
 FastPointVisibility::SmallLight small(const Light& light) {
   if (const auto* point = std::get_if<PointLight>(&light)) return *point;

@@ -20,7 +20,7 @@
 namespace gnomon {
 namespace {
 
-using testing::Dice;
+using test_support::Dice;
 
 /// Builds something that must be legal out of drawn points, or draws again.
 template <class Make>
@@ -111,7 +111,7 @@ Point3 draw_aligned_point(Dice& dice, const Drawn& scene) {
 bool agrees(const Drawn& scene, const Point3& p, FastVisibility& fast) {
   const std::optional<LightSeen> seen = fast.seen_from(p);
   if (!seen) return false;
-  const testing::SplitView exact = testing::split_view(scene.light, scene.blockers, p);
+  const test_support::SplitView exact = test_support::split_view(scene.light, scene.blockers, p);
   RC_ASSERT(name(seen->region) == name(exact.region));
   RC_ASSERT(abs(Rational(Rational(seen->fraction) - exact.fraction)) <= Rational(seen->error_bound));
   RC_ASSERT(seen->error_bound <= 1e-8);  // slivers of lights among them

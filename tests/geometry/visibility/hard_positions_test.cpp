@@ -74,7 +74,7 @@ std::vector<Point3> with_neighbours(const std::vector<Point3>& points) {
   return result;
 }
 
-class HardPosition : public testing::TestWithParam<std::string> {};
+class HardPosition : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(HardPosition, IsDecidedAsDefined) {
   const Scene scene = read_scene(folder / (GetParam() + ".scene.json"));
@@ -91,7 +91,7 @@ TEST_P(HardPosition, IsDecidedAsDefined) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, HardPosition, testing::ValuesIn(scene_names()),
+INSTANTIATE_TEST_SUITE_P(Scenes, HardPosition, ::testing::ValuesIn(scene_names()),
                          [](const auto& tested) { return tested.param; });
 
 TEST(HardPosition, EveryDegeneratePositionIsThereOneUlpOffToo) {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-namespace gnomon::testing {
+namespace gnomon::test_support {
 namespace {
 
 using laws::ExactPlane;
@@ -131,4 +131,4 @@ SplitView split_view(const AreaLight& light, std::span<const ConvexBlocker> bloc
   return {fraction == 0 ? Region::umbra : fraction == 1 ? Region::lit : Region::penumbra, fraction, pieces};
 }
 
-}  // namespace gnomon::testing
+}  // namespace gnomon::test_support

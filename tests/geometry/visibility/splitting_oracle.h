@@ -12,7 +12,7 @@
 #include "geometry/spatial/convex_blocker.h"
 #include "geometry/spatial/light.h"
 
-namespace gnomon::testing {
+namespace gnomon::test_support {
 
 struct SplitView {
   Region region;
@@ -23,4 +23,4 @@ struct SplitView {
 /// Requires: a flat light.
 SplitView split_view(const AreaLight& light, std::span<const ConvexBlocker> blockers, const Point3& point);
 
-}  // namespace gnomon::testing
+}  // namespace gnomon::test_support

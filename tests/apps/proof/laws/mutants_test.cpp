@@ -56,10 +56,10 @@ bool register_mutants() {
   return true;
 }
 
-const bool registered = register_mutants();
+const bool mutants_registered = register_mutants();
 
 TEST(Mutants, AreNamedOnceEach) {
-  ASSERT_TRUE(registered);
+  ASSERT_TRUE(mutants_registered);
   std::set<std::string> names;
   for (const Mutant& mutant : all_mutants()) EXPECT_TRUE(names.insert(mutant.name).second) << mutant.name;
 }

@@ -7,21 +7,21 @@
 namespace gnomon::laws {
 namespace {
 
-ExactVector at(int x, int y, int z) {
+ExactVector path_point(int x, int y, int z) {
   return {Rational(x), Rational(y), Rational(z)};
 }
 
-ConvexPolygon polygon(std::vector<Point3> points) {
+ConvexPolygon path_polygon(std::vector<Point3> points) {
   return ConvexPolygon::from_points(std::move(points));
 }
 
-const Light triangle_lamp = AreaLight{polygon({{-2, 12, -2}, {2, 10, 1}, {0, 14, 1}}), true};
+const Light triangle_lamp = AreaLight{path_polygon({{-2, 12, -2}, {2, 10, 1}, {0, 14, 1}}), true};
 
 /// Three blockers with edges in line before the lamp, seen from the origin.
 std::vector<Walls> three_blockers() {
   return {walls(ConvexSolid::hull_of({{-1, 3, 0}, {1, 3, 0}, {0, 3, 1}, {0, 4, 1}})),
-          walls(polygon({{-1, 4, 1}, {1, 8, -1}, {-1, 6, -1}, {-3, 2, 1}})),
-          walls(polygon({{1, 9, 2}, {-1, 9, -2}, {1, 9, 0}}))};
+          walls(path_polygon({{-1, 4, 1}, {1, 8, -1}, {-1, 6, -1}, {-3, 2, 1}})),
+          walls(path_polygon({{1, 9, 2}, {-1, 9, -2}, {1, 9, 0}}))};
 }
 
 /// What the series leaves of the exact share at a distance, divided by its cube.
@@ -46,8 +46,9 @@ TEST(Germ, HasTheQuotientOfItsSeries) {
 }
 
 TEST(VisibleShareAfter, LeavesARestOfThirdOrderOfTheExactShare) {
-  for (const ExactVector& direction : {at(-1, -2, 0), at(1, 2, 0), at(1, 0, 2), at(0, 1, -1)}) {
-    for (const ExactVector& start : {at(0, 0, 0), at(1, -1, 0), at(0, 0, 1)}) {
+  for (const ExactVector& direction :
+       {path_point(-1, -2, 0), path_point(1, 2, 0), path_point(1, 0, 2), path_point(0, 1, -1)}) {
+    for (const ExactVector& start : {path_point(0, 0, 0), path_point(1, -1, 0), path_point(0, 0, 1)}) {
       const Path path{start, direction};
       const Rational near = cubic_rest(triangle_lamp, three_blockers(), path, Rational(1, 1 << 20));
       const Rational nearer = cubic_rest(triangle_lamp, three_blockers(), path, Rational(1, 1 << 21));
@@ -59,44 +60,48 @@ TEST(VisibleShareAfter, LeavesARestOfThirdOrderOfTheExactShare) {
 TEST(VisibleShareAfter, OfASegmentIsTheLengthLeft) {
   // Moving along the light at t, a board half way hides what is beyond 2 - t.
   const Light light = LinearLight{{0, 0, 2}, {4, 0, 2}};
-  const std::vector<Walls> board = {walls(polygon({{1, -1, 1}, {9, -1, 1}, {9, 1, 1}, {1, 1, 1}}))};
-  EXPECT_EQ(visible_share_after(light, board, {at(0, 0, 0), at(1, 0, 0)}), (Jet{Rational(1, 2), Rational(-1, 4), 0}));
+  const std::vector<Walls> board = {walls(path_polygon({{1, -1, 1}, {9, -1, 1}, {9, 1, 1}, {1, 1, 1}}))};
+  EXPECT_EQ(visible_share_after(light, board, {path_point(0, 0, 0), path_point(1, 0, 0)}),
+            (Jet{Rational(1, 2), Rational(-1, 4), 0}));
 }
 
 TEST(VisibleShareAfter, IsTheLimitFromTheFrontOfAReceiver) {
-  const Light light = AreaLight{polygon({{-1, -1, 3}, {-1, 1, 3}, {1, 1, 3}, {1, -1, 3}})};
+  const Light light = AreaLight{path_polygon({{-1, -1, 3}, {-1, 1, 3}, {1, 1, 3}, {1, -1, 3}})};
   const std::vector<Walls> block = {walls(ConvexSolid::hull_of(
       {{-2, -2, 0}, {2, -2, 0}, {-2, 2, 0}, {2, 2, 0}, {-2, -2, 1}, {2, -2, 1}, {-2, 2, 1}, {2, 2, 1}}))};
-  const Path inside{at(0, 0, 0), at(1, 0, 0), at(0, 0, 1)};
+  const Path inside{path_point(0, 0, 0), path_point(1, 0, 0), path_point(0, 0, 1)};
   EXPECT_EQ(visible_share_after(light, block, inside).value, 0);
-  const Path below{at(0, 0, 0), at(1, 0, 0), at(0, 0, -1)};
+  const Path below{path_point(0, 0, 0), path_point(1, 0, 0), path_point(0, 0, -1)};
   EXPECT_EQ(visible_share_after(light, block, below).value, 0);
-  const Path beside{at(9, 0, 0), at(1, 0, 0), at(0, 0, 1)};
+  const Path beside{path_point(9, 0, 0), path_point(1, 0, 0), path_point(0, 0, 1)};
   EXPECT_EQ(visible_share_after(light, block, beside).value, 1);
 }
 
 TEST(OrderAtStart, IsOneWhereEdgesAreCoplanarAndTwoAtAVertex) {
-  const std::vector<ExactVector> lamp = {at(-1, -1, 2), at(-1, 1, 2), at(1, 1, 2), at(1, -1, 2)};
-  const std::vector<Walls> square = {walls(polygon({{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}))};
-  EXPECT_EQ(order_at_start(lamp, square, {at(-3, 0, 0), at(1, 0, 0)}), 1);
-  EXPECT_EQ(order_at_start(lamp, square, {at(-4, 0, 0), at(1, 0, 0)}), std::nullopt);
-  const std::vector<Walls> turned = {walls(polygon({{0, -1, 1}, {1, 0, 1}, {0, 1, 1}, {-1, 0, 1}}))};
-  EXPECT_EQ(order_at_start(lamp, turned, {at(-3, 0, 0), at(1, 0, 0)}), 2);
-  EXPECT_EQ(order_at_start({at(0, -1, 2), at(0, 1, 2)}, square, {at(-2, 0, 0), at(1, 0, 0)}), 0);
+  const std::vector<ExactVector> lamp = {path_point(-1, -1, 2), path_point(-1, 1, 2), path_point(1, 1, 2),
+                                         path_point(1, -1, 2)};
+  const std::vector<Walls> square = {walls(path_polygon({{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}))};
+  EXPECT_EQ(order_at_start(lamp, square, {path_point(-3, 0, 0), path_point(1, 0, 0)}), 1);
+  EXPECT_EQ(order_at_start(lamp, square, {path_point(-4, 0, 0), path_point(1, 0, 0)}), std::nullopt);
+  const std::vector<Walls> turned = {walls(path_polygon({{0, -1, 1}, {1, 0, 1}, {0, 1, 1}, {-1, 0, 1}}))};
+  EXPECT_EQ(order_at_start(lamp, turned, {path_point(-3, 0, 0), path_point(1, 0, 0)}), 2);
+  EXPECT_EQ(
+      order_at_start({path_point(0, -1, 2), path_point(0, 1, 2)}, square, {path_point(-2, 0, 0), path_point(1, 0, 0)}),
+      0);
 }
 
 TEST(SeenPieces, AreTheLightsEdgesAndWhereBlockersEnd) {
-  const AreaLight light{polygon({{-1, -1, 2}, {-1, 1, 2}, {1, 1, 2}, {1, -1, 2}})};
+  const AreaLight light{path_polygon({{-1, -1, 2}, {-1, 1, 2}, {1, 1, 2}, {1, -1, 2}})};
   const auto pieces = [&](const std::vector<Walls>& blockers, const ExactVector& p) {
     return seen_pieces(light, blockers, {p, {}}).size();
   };
-  const Walls strip = walls(polygon({{-9, -0.25, 1}, {9, -0.25, 1}, {9, 0.25, 1}, {-9, 0.25, 1}}));
-  EXPECT_EQ(pieces({}, at(0, 0, 0)), 4u);
-  EXPECT_EQ(pieces({strip}, at(0, 0, 0)), 8u);   // two rectangles
-  EXPECT_EQ(pieces({strip}, at(0, 20, 0)), 4u);  // beside the strip
-  const Walls left = walls(polygon({{-9, -1, 1}, {0, -1, 1}, {0, 1, 1}, {-9, 1, 1}}));
-  const Walls right = walls(polygon({{0, -1, 1}, {9, -1, 1}, {9, 1, 1}, {0, 1, 1}}));
-  EXPECT_EQ(pieces({left, right}, at(0, 0, 0)), 0u);  // nothing is seen past the joint
+  const Walls strip = walls(path_polygon({{-9, -0.25, 1}, {9, -0.25, 1}, {9, 0.25, 1}, {-9, 0.25, 1}}));
+  EXPECT_EQ(pieces({}, path_point(0, 0, 0)), 4u);
+  EXPECT_EQ(pieces({strip}, path_point(0, 0, 0)), 8u);   // two rectangles
+  EXPECT_EQ(pieces({strip}, path_point(0, 20, 0)), 4u);  // beside the strip
+  const Walls left = walls(path_polygon({{-9, -1, 1}, {0, -1, 1}, {0, 1, 1}, {-9, 1, 1}}));
+  const Walls right = walls(path_polygon({{0, -1, 1}, {9, -1, 1}, {9, 1, 1}, {0, 1, 1}}));
+  EXPECT_EQ(pieces({left, right}, path_point(0, 0, 0)), 0u);  // nothing is seen past the joint
 }
 
 }  // namespace
