@@ -29,7 +29,7 @@ function(gnomon_precompile name)
 endfunction()
 
 # gnomon_unity(NAME SIZE): the target's sources are compiled in batches of at most SIZE neighbours of one folder, so that
-# headers are read once a batch. Files of a batch share their anonymous namespaces: names in these differ within a folder.
+# headers are read once a batch. Files of a batch share their anonymous namespaces: names in these differ within a batch.
 function(gnomon_unity name size)
   get_target_property(sources ${name} SOURCES)
   set(last_folder "none")
