@@ -10,6 +10,8 @@ function(gnomon_target name)
     target_compile_options(${name} PRIVATE -Wno-maybe-uninitialized -Wno-restrict -Wno-stringop-overflow)
     # A batch of a unity build is no header, but g++ takes the files in it for headers.
     target_compile_options(${name} PRIVATE -Wno-subobject-linkage)
+    # Up to this much memory g++ does not look for what it may free; that spares a sixth of its time.
+    target_compile_options(${name} PRIVATE "SHELL:--param ggc-min-heapsize=800000")
   endif()
   if(GNOMON_WARNINGS_AS_ERRORS)
     target_compile_options(${name} PRIVATE -Werror)
