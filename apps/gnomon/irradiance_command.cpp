@@ -36,8 +36,8 @@ struct IrradianceOptions : CommonOptions {
 void add_options(CLI::App& app, IrradianceOptions& options) {
   add_text(app, "SCENE", options.scene, "FILE", "Scene file")->required();
   add_text(app, "--at", options.at, "POINTS.csv|-",
-           "Receivers as CSV with the header x,y,z,nx,ny,nz; '-' reads them from stdin. Further columns are passed\n"
-           "through");
+           "Receivers as CSV with columns x,y,z,nx,ny,nz, or six numbers a line without a header; '-' reads them from\n"
+           "stdin. Commas, semicolons, tabs or blanks separate; further columns are passed through");
   add_text(app, "--on", options.on, "RECEIVER", "Points spread over this receiver of the scene, seen from its front");
   add_text(app, "--shape", options.shape, "nu,nv",
            "With --on: the number of points along the receiver's first side and at right angles to it. They are the\n"

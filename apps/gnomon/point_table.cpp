@@ -1,9 +1,5 @@
 #include "apps/gnomon/point_table.h"
 
-#include <charconv>
-#include <cmath>
-#include <cstdlib>
-#include <stdexcept>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -15,26 +11,10 @@ namespace gnomon {
 namespace {
 
 constexpr std::size_t longest_line = 1 << 16;
-constexpr std::array<std::string_view, 6> column_names = {"x", "y", "z", "nx", "ny", "nz"};
 
-std::string_view trimmed(std::string_view text) {
+std::string_view without_blanks(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
-/// The fields between commas that are not in double quotes, without the spaces around them.
-std::vector<std::string_view> fields_of(std::string_view line) {
-  std::vector<std::string_view> fields;
-  std::size_t start = 0;
-  bool quoted = false;
-  for (std::size_t i = 0; i <= line.size(); ++i) {
-    if (i < line.size() && line[i] == '"') quoted = !quoted;
-    if (i < line.size() && (line[i] != ',' || quoted)) continue;
-    fields.push_back(trimmed(line.substr(start, i - start)));
-    start = i + 1;
-  }
-  return fields;
+  return first == std::string_view::npos ? std::string_view() : text.substr(first);
 }
 
 /// What was found, fit for a message: control characters and bytes beyond ASCII shown as \xNN, and not too long.
@@ -52,72 +32,114 @@ std::string excerpt(std::string_view text) {
   return result + (text.size() > 40 ? "...\"" : "\"");
 }
 
-/// The double nearest to a decimal number; nothing for other text and for what overflows.
-std::optional<double> finite_field(std::string_view text) {
-  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (end != text.data() + text.size() || error == std::errc::invalid_argument) return std::nullopt;
-  // Out of range means too small as well as too large.
-  if (error == std::errc::result_out_of_range) value = std::strtod(std::string(text).c_str(), nullptr);
-  return std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
-
-std::size_t number_count(TableColumns columns) {
-  return columns == TableColumns::planar_points ? 2 : columns == TableColumns::points ? 3 : 6;
-}
-
-std::string expected_header(std::size_t numbers) {
-  std::string header = "\"x";
-  for (std::size_t i = 1; i < numbers; ++i) header += ',' + std::string(column_names[i]);
-  return header + '"';
-}
-
-bool starts_with_names(const std::vector<std::string_view>& fields, std::size_t numbers) {
-  if (fields.size() < numbers) return false;
-  for (std::size_t i = 0; i < numbers; ++i) {
-    if (fields[i] != column_names[i]) return false;
+/// The line with commas between its fields. Who writes commas gets back what was written.
+std::string with_commas(const std::string& line, char separator) {
+  if (separator == ',') return line;
+  std::string row;
+  bool first = true;
+  for (const std::string_view field : table_fields(line, separator)) {
+    const std::string text(field);
+    row += (std::exchange(first, false) ? "" : ",") + (field.starts_with('"') ? text : csv_field(text));
   }
-  return true;
+  return row;
+}
+
+bool is_utf16(std::string_view text) {
+  return text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff");
+}
+
+std::string wanted_columns(TableColumns columns) {
+  if (columns == TableColumns::planar_points) return column_names(2);
+  return column_names(columns == TableColumns::points_with_normals ? 6 : 3);
+}
+
+std::string wanted_count(TableColumns columns) {
+  if (columns == TableColumns::planar_points) return "two";
+  return columns == TableColumns::points_with_normals ? "six" : "three or six";
+}
+
+/// A header or a first row, in the words of messages.
+std::string expected_header(TableColumns columns) {
+  return ", expected the header \"" + wanted_columns(columns) +
+         "\", its names separated by commas, semicolons, tabs or " + "blanks, or a first row of " +
+         wanted_count(columns) + " numbers";
 }
 
 }  // namespace
 
 PointTable::PointTable(std::istream& stream, std::string name, TableColumns columns)
-    : stream_(stream), name_(std::move(name)), numbers_(number_count(columns)) {
-  const std::string expected = ", expected the header " + expected_header(numbers_);
-  if (!read_line()) throw SceneError(name_ + ": found an empty file" + expected);
-  header_ = text_.starts_with("\xef\xbb\xbf") ? text_.substr(3) : text_;
-  const std::vector<std::string_view> fields = fields_of(header_);
-  columns_ = fields.size();
-  const bool third_in_plane = numbers_ == 2 && columns_ > 2 && fields[2] == "z";
-  if (too_long_ || third_in_plane || !starts_with_names(fields, numbers_)) {
-    throw SceneError(name_ + ":1: found " + excerpt(header_) + expected);
+    : stream_(stream), name_(std::move(name)) {
+  while (true) {
+    if (!next_line()) throw SceneError(name_ + ": found an empty file" + expected_header(columns));
+    if (is_utf16(text_)) throw SceneError(name_ + ": found text in UTF-16, expected UTF-8");
+    // Spreadsheets say there how they separate; the header shows it anyway.
+    if (text_.starts_with("sep=")) continue;
+    if (read_header(columns)) return;
+    if (!text_.starts_with('#')) refuse_header(columns);
   }
+}
+
+bool PointTable::read_header(TableColumns columns) {
+  const std::string_view names = std::string_view(text_).substr(text_.starts_with('#') ? 1 : 0);
+  if (too_long_) return false;
+  if (const auto dialect = dialect_of_header(names, columns)) {
+    dialect_ = *dialect;
+    header_ = with_commas(std::string(names), dialect_.separator);
+    return true;
+  }
+  const auto dialect = dialect_of_numbers(text_, columns);
+  if (!dialect) return false;
+  dialect_ = *dialect;
+  header_ = column_names(dialect_.columns);
+  return row_is_waiting_ = true;
+}
+
+void PointTable::refuse_header(TableColumns columns) const {
+  std::string found = ": found " + excerpt(text_);
+  for (const char separator : {';', '\t', ' '}) {
+    const std::vector<std::string_view> fields = table_fields(text_, separator);
+    if (fields.size() > 1 && has_decimal_comma(fields[0])) found += ", numbers with decimal commas";
+    if (found.ends_with("commas")) break;
+  }
+  throw SceneError(name_ + ':' + std::to_string(line_) + found + expected_header(columns));
 }
 
 std::optional<std::variant<PointRow, MalformedRow>> PointTable::next() {
   do {
-    if (!read_line()) return std::nullopt;
-  } while (!too_long_ && trimmed(text_).empty());
+    if (!std::exchange(row_is_waiting_, false) && !next_line()) return std::nullopt;
+  } while (!too_long_ && text_.starts_with('#'));
   if (too_long_) return MalformedRow{line_, "found more than " + counted(longest_line, "byte") + ", expected a point"};
-  const std::vector<std::string_view> fields = fields_of(text_);
-  if (fields.size() != columns_) {
-    return MalformedRow{line_, "found " + counted(fields.size(), "field") + ", expected " + std::to_string(columns_)};
+  return row();
+}
+
+std::variant<PointRow, MalformedRow> PointTable::row() const {
+  const std::vector<std::string_view> fields = table_fields(text_, dialect_.separator);
+  if (fields.size() != dialect_.columns) {
+    return MalformedRow{line_,
+                        "found " + counted(fields.size(), "field") + ", expected " + std::to_string(dialect_.columns)};
   }
-  PointRow row{line_, text_, {}, {}};
-  for (std::size_t i = 0; i < numbers_; ++i) {
-    const std::optional<double> value = finite_field(fields[i]);
+  PointRow point{line_, with_commas(text_, dialect_.separator), {}, {}};
+  for (std::size_t i = 0; i < dialect_.numbers.size(); ++i) {
+    const std::string_view field = fields[dialect_.numbers[i]];
+    const std::optional<double> value = number_in_field(field);
     if (!value) {
-      return MalformedRow{
-          line_, std::string(column_names[i]) + ": found " + excerpt(fields[i]) + ", expected a finite number"};
+      return MalformedRow{line_, std::string(column_name(i)) + ": found " + excerpt(field) + ", expected " +
+                                     (has_decimal_comma(field) ? "a decimal point, not a comma" : "a finite number")};
     }
-    (i < 3 ? row.coordinates : row.normal)[i % 3] = *value;
+    (i < 3 ? point.coordinates : point.normal)[i % 3] = *value;
   }
-  if (numbers_ == 6 && row.normal == std::array<double, 3>{}) {
+  if (has_normals() && point.normal == std::array<double, 3>{}) {
     return MalformedRow{line_, "nx,ny,nz: found 0,0,0, expected a direction"};
   }
-  return row;
+  return point;
+}
+
+bool PointTable::next_line() {
+  do {
+    if (!read_line()) return false;
+    if (line_ == 1 && text_.starts_with("\xef\xbb\xbf")) text_.erase(0, 3);
+  } while (!too_long_ && without_blanks(text_).empty());
+  return true;
 }
 
 bool PointTable::read_line() {
@@ -126,15 +148,16 @@ bool PointTable::read_line() {
   too_long_ = false;
   std::streambuf& buffer = *stream_.rdbuf();
   auto c = buffer.sbumpc();
+  if (std::exchange(after_return_, false) && c == '\n') c = buffer.sbumpc();
   if (Traits::eq_int_type(c, Traits::eof())) return false;
-  for (; !Traits::eq_int_type(c, Traits::eof()) && c != '\n'; c = buffer.sbumpc()) {
+  for (; !Traits::eq_int_type(c, Traits::eof()) && c != '\n' && c != '\r'; c = buffer.sbumpc()) {
     if (text_.size() < longest_line) {
       text_ += Traits::to_char_type(c);
     } else {
       too_long_ = true;
     }
   }
-  if (text_.ends_with('\r')) text_.pop_back();
+  after_return_ = c == '\r';
   ++line_;
   return true;
 }

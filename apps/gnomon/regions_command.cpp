@@ -27,8 +27,8 @@ struct RegionsOptions : CommonOptions {
 void add_options(CLI::App& app, RegionsOptions& options) {
   add_text(app, "SCENE", options.scene, "FILE", "Scene file")->required();
   add_text(app, "--at", options.at, "POINTS.csv|-",
-           "Points as CSV with the header x,y,z (x,y in the plane); '-' reads them from stdin. Further columns are "
-           "passed through")
+           "Points as CSV with columns x,y,z (x,y in the plane), or three or six numbers a line without a header; '-'\n"
+           "reads them from stdin. Commas, semicolons, tabs or blanks separate; further columns are passed through")
       ->required();
   add_text(app, "--out", options.out, "FILE", "Write the CSV to this file (default: to stdout)");
   add_json_option(app, options);

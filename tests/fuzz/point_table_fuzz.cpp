@@ -14,8 +14,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   std::istringstream stream(std::string(reinterpret_cast<const char*>(data + 1), size - 1));
   try {
-    gnomon::PointTable table(stream, "fuzz.csv", static_cast<gnomon::TableColumns>(data[0] % 3));
-    std::size_t line = 1;
+    gnomon::PointTable table(stream, "fuzz.csv", static_cast<gnomon::TableColumns>(data[0] % 4));
+    std::size_t line = 0;
     while (const auto row = table.next()) {
       const auto* point = std::get_if<gnomon::PointRow>(&*row);
       const std::size_t at = point ? point->line : std::get<gnomon::MalformedRow>(*row).line;

@@ -87,12 +87,52 @@ TEST(PointTable, NumbersTooSmallAreTheNearestDouble) {
   EXPECT_THAT(rows("x,y,z\n1e-999,-1e-999,5e-324\n"), ElementsAre(HasSubstr("2 : 0 -0 4.94066e-324")));
 }
 
+TEST(PointTable, FindsTheSeparatorInTheHeader) {
+  EXPECT_THAT(rows("x;y;z\n1;2;3\n"), ElementsAre("2 : 1 2 3 [1,2,3]"));
+  EXPECT_THAT(rows("x\ty\tz\tname\n1\t2\t3\t\n"), ElementsAre("2 : 1 2 3 [1,2,3,]"));
+  EXPECT_THAT(rows("x y  z\n 1 2\t3 \n"), ElementsAre("2 : 1 2 3 [1,2,3]"));
+  EXPECT_THAT(rows("sep=;\nx;y;z\n1;2;3\n"), ElementsAre("3 : 1 2 3 [1,2,3]"));
+}
+
+TEST(PointTable, GivesBackFieldsThatHoldCommasInQuotes) {
+  EXPECT_THAT(rows("x;y;z;name\n1;2;3;a, b\n1;2;3;\"a; b\"\n"),
+              ElementsAre("2 : 1 2 3 [1,2,3,\"a, b\"]", "3 : 1 2 3 [1,2,3,\"a; b\"]"));
+}
+
+TEST(PointTable, FindsColumnsByTheirNamesInAnyOrderAndCaseQuotedOrNot) {
+  EXPECT_THAT(rows("id,Z,\"Y\",X\n7,3,\"2\",1\n"), ElementsAre("2 : 1 2 3 [7,3,\"2\",1]"));
+}
+
+TEST(PointTable, WithoutHeaderHoldsThreeOrSixNumbersInOrder) {
+  EXPECT_THAT(rows("1,2,3\n4,5,6\n"), ElementsAre("1 : 1 2 3 [1,2,3]", "2 : 4 5 6 [4,5,6]"));
+  EXPECT_THAT(rows("1 2 3 0 0 1\n"), ElementsAre("1 : 1 2 3 [1,2,3,0,0,1]"));
+  EXPECT_THAT(rows("1 2\n", 2), ElementsAre("1 : 1 2 0 [1,2]"));
+  EXPECT_THAT(refusal("1,2,3,4\n"), AllOf(HasSubstr("points.csv:1"), HasSubstr("three or six numbers")));
+  EXPECT_THAT(refusal("1,2,3\n", 2), HasSubstr("two numbers"));
+}
+
+TEST(PointTable, TakesLinesThatBeginWithAHashForCommentsUnlessTheyNameTheColumns) {
+  EXPECT_THAT(rows("# sensors\nx,y,z\n# first\n1,2,3\n"), ElementsAre("4 : 1 2 3 [1,2,3]"));
+  EXPECT_THAT(rows("# z y x\n3 2 1\n"), ElementsAre("2 : 1 2 3 [3,2,1]"));
+}
+
+TEST(PointTable, EndsLinesAtReturnsToo) {
+  EXPECT_THAT(rows("x,y,z\r1,2,3\r\r4,5,6"), ElementsAre("2 : 1 2 3 [1,2,3]", "4 : 4 5 6 [4,5,6]"));
+}
+
+TEST(PointTable, RefusesDecimalCommasByPlace) {
+  EXPECT_THAT(rows("x;y;z\n1;2;0,5\n1;2;3\n"),
+              ElementsAre("2 ! z: found \"0,5\", expected a decimal point, not a comma", "3 : 1 2 3 [1,2,3]"));
+  EXPECT_THAT(refusal("0,5;1,5;2,5\n"), AllOf(HasSubstr("points.csv:1"), HasSubstr("decimal commas")));
+}
+
 TEST(PointTable, RefusesAnotherHeader) {
   EXPECT_THAT(refusal(""), AllOf(HasSubstr("points.csv"), HasSubstr("an empty file"), HasSubstr("\"x,y,z\"")));
-  EXPECT_THAT(refusal("1,2,3\n"), AllOf(HasSubstr("points.csv:1"), HasSubstr("\"1,2,3\"")));
+  EXPECT_THAT(refusal("\n\na,b,c\n"), AllOf(HasSubstr("points.csv:3"), HasSubstr("\"a,b,c\"")));
   EXPECT_THAT(refusal("x,y\n"), HasSubstr("\"x,y\""));
-  EXPECT_THAT(refusal("x;y;z\n"), HasSubstr("\"x;y;z\""));
+  EXPECT_THAT(refusal("x,y,z,x\n"), HasSubstr("\"x,y,z,x\""));
   EXPECT_THAT(refusal(std::string(1 << 20, 'x')), HasSubstr("..."));
+  EXPECT_THAT(refusal(std::string("\xff\xfex\0,\0", 6)), HasSubstr("UTF-16"));
 }
 
 TEST(PointTable, ReadsNormalsAndRefusesOneWithoutDirection) {
@@ -100,6 +140,18 @@ TEST(PointTable, ReadsNormalsAndRefusesOneWithoutDirection) {
   PointTable table(stream, "points.csv", TableColumns::points_with_normals);
   EXPECT_EQ(std::get<PointRow>(*table.next()).normal, (std::array<double, 3>{0, -1, 0.5}));
   EXPECT_EQ(std::get<MalformedRow>(*table.next()).problem, "nx,ny,nz: found 0,0,0, expected a direction");
+}
+
+TEST(PointTable, ReadsNormalsOnDemandWhereThereAreAny) {
+  const auto has_normals = [](const std::string& text) {
+    std::istringstream stream(text);
+    return PointTable(stream, "points.csv", TableColumns::points_perhaps_with_normals).has_normals();
+  };
+  EXPECT_TRUE(has_normals("nx,ny,nz,x,y,z\n"));
+  EXPECT_TRUE(has_normals("1 2 3 0 0 1\n"));
+  EXPECT_FALSE(has_normals("x,y,z,name\n"));
+  EXPECT_FALSE(has_normals("1 2 3\n"));
+  EXPECT_THROW(has_normals("x,y,z,nx,ny\n"), SceneError);
 }
 
 }  // namespace
