@@ -26,6 +26,7 @@ foreach(header IN ITEMS
     geometry/errors.h
     geometry/exact_number.h
     geometry/indices.h
+    geometry/length_unit.h
     geometry/planar/extremal_lines.h
     geometry/planar/flatland.h
     geometry/planar/pair.h
@@ -63,6 +64,7 @@ foreach(header IN ITEMS
     shading/light_irradiance.h
     shading/planar_irradiance.h
     shading/receiver_grid.h
+    shading/unit_conversion.h
     viz/grid_file.h
     viz/picture.h
     viz/series_writer.h

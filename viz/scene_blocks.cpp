@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "geometry/kernel.h"
+#include "geometry/scene/convex_parts.h"
 #include "viz/block.h"
 #include "viz/cell_arrays.h"
 #include "viz/vtk_cells.h"
@@ -49,19 +50,29 @@ Facets hull_facets(std::span<const Point3> vertices) {
   return facets;
 }
 
-vtkSmartPointer<vtkPolyData> polygons(std::span<const Point3> points, const Facets& facets, CellName cell) {
+/// Polygons by facets, each in one piece or in several.
+vtkSmartPointer<vtkPolyData> polygons(std::span<const Point3> points, const std::vector<Facets>& pieces,
+                                      CellName cell) {
   vtkNew<vtkCellArray> cells;
   std::vector<CellName> names;
-  for (const auto& facet : facets) {
-    insert_cell(*cells, facet);
-    cell.facet_id = static_cast<std::int32_t>(names.size());
-    names.push_back(cell);
+  for (std::size_t f = 0; f < pieces.size(); ++f) {
+    cell.facet_id = static_cast<std::int32_t>(f);
+    for (const auto& piece : pieces[f]) {
+      insert_cell(*cells, piece);
+      names.push_back(cell);
+    }
   }
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(vtk_points(points));
   data->SetPolys(cells);
   add_cell_arrays(*data, names);
   return data;
+}
+
+vtkSmartPointer<vtkPolyData> polygons(std::span<const Point3> points, const Facets& facets, const CellName& cell) {
+  std::vector<Facets> pieces;
+  for (const auto& facet : facets) pieces.push_back({facet});
+  return polygons(points, pieces, cell);
 }
 
 // ParaView measures and draws only triangles and convex cells rightly.
@@ -121,10 +132,12 @@ struct BlockerData {
     return polygons(polytope.vertices, hull_facets(polytope.vertices), cell);
   }
   vtkSmartPointer<vtkPolyData> operator()(const ConcavePolygon& polygon) const {
-    return triangulated(polygons(polygon.vertices, one_polygon(polygon.vertices.size()), cell));
+    return triangulated(polygons(polygon.vertices, std::vector<Facets>{convex_pieces(polygon)}, cell));
   }
   vtkSmartPointer<vtkPolyData> operator()(const Mesh& mesh) const {
-    return triangulated(polygons(mesh.vertices, mesh.facets, cell));
+    std::vector<Facets> pieces;
+    for (const auto& facet : mesh.facets) pieces.push_back(convex_pieces(mesh.vertices, facet));
+    return triangulated(polygons(mesh.vertices, pieces, cell));
   }
 };
 
@@ -134,7 +147,8 @@ std::string shape_name(const Light& light) {
 }
 
 std::string shape_name(const BlockerShape& shape) {
-  constexpr const char* names[] = {"polygon", "polytope", "concave_polygon", "mesh"};
+  if (const auto* polygon = std::get_if<ConcavePolygon>(&shape)) return polygon->shape;
+  constexpr const char* names[] = {"polygon", "polytope", "", "mesh"};
   return names[shape.index()];
 }
 

@@ -26,6 +26,7 @@ Json elements_json(const std::vector<RecognisedElement>& elements) {
   for (const RecognisedElement& element : elements) {
     Json json = {{"name", element.name}, {"shape", element.shape}};
     if (element.vertices) json["vertices"] = *element.vertices;
+    if (element.holes) json["holes"] = *element.holes;
     if (element.facets) json["facets"] = *element.facets;
     if (element.closed) json["closed"] = *element.closed;
     if (element.two_sided) json["two_sided"] = *element.two_sided;
@@ -54,6 +55,7 @@ Json check_json(const Scene& scene, const RecognisedElements& elements, const st
 TextRow element_row(const RecognisedElement& element) {
   std::string counts;
   if (element.vertices) counts = std::to_string(*element.vertices) + (*element.vertices == 1 ? " vertex" : " vertices");
+  if (element.holes) counts += ", " + counted(*element.holes, "hole");
   if (element.facets) counts += ", " + counted(*element.facets, "facet");
   if (element.closed) counts += *element.closed ? ", closed" : ", open";
   TextRow row{element.name, element.shape, counts};

@@ -22,6 +22,7 @@
 #include "geometry/scene/scene_reader.h"
 #include "shading/light_irradiance.h"
 #include "shading/receiver_grid.h"
+#include "shading/unit_conversion.h"
 
 namespace gnomon {
 namespace {
@@ -49,10 +50,9 @@ void add_options(CLI::App& app, IrradianceOptions& options) {
   add_quiet_option(app, options);
   app.footer(
       "Each row of the result is a row of the input, or x,y,z,nx,ny,nz of a point on the receiver, followed by\n"
-      " light,irradiance,error_bound. Irradiance is clipped "
-      "by\n"
-      "the receiver's horizon; |irradiance - exact| is at most error_bound. A malformed line is reported with its\n"
-      "number and left out; the exit code is 3 then.\n\n"
+      "light,irradiance,error_bound. Irradiance is in W/m^2 whatever the scene's unit of length, and clipped by the\n"
+      "receiver's horizon; |irradiance - exact| is at most error_bound. A malformed line is reported with its number\n"
+      "and left out; the exit code is 3 then.\n\n"
       "Examples:\n"
       "  gnomon irradiance examples/figure_4_22.scene.json --at examples/receivers.csv\n"
       "  gnomon irradiance examples/figure_4_22.scene.json --on floor --shape 20,20 --json -\n");
@@ -61,7 +61,8 @@ void add_options(CLI::App& app, IrradianceOptions& options) {
 /// One set of lights per thread: each keeps memory for the next question.
 using LightsOfThreads = tbb::enumerable_thread_specific<std::vector<LightIrradiance>>;
 
-std::vector<LitRow> lit_rows(std::vector<TableRow> batch, LightsOfThreads& lights, tbb::task_arena& threads) {
+std::vector<LitRow> lit_rows(std::vector<TableRow> batch, const std::vector<const SceneLight*>& chosen,
+                             const LengthUnit& unit, LightsOfThreads& lights, tbb::task_arena& threads) {
   std::vector<LitRow> rows;
   for (TableRow& row : batch) rows.push_back({std::move(row), {}});
   for_all(rows.size(), threads, [&](std::size_t i) {
@@ -69,8 +70,10 @@ std::vector<LitRow> lit_rows(std::vector<TableRow> batch, LightsOfThreads& light
     if (!row) return;
     const auto& p = row->coordinates;
     const auto& n = row->normal;
-    for (LightIrradiance& light : lights.local()) {
-      rows[i].received.push_back(light.at({p[0], p[1], p[2]}, {n[0], n[1], n[2]}));
+    std::vector<LightIrradiance>& local = lights.local();
+    for (std::size_t l = 0; l < local.size(); ++l) {
+      const Irradiance e = local[l].at({p[0], p[1], p[2]}, {n[0], n[1], n[2]});
+      rows[i].received.push_back(per_square_metre(e, chosen[l]->shape, unit));
     }
   });
   return rows;
@@ -116,6 +119,7 @@ ExitCode write_irradiance(const IrradianceOptions& options, const Scene& scene, 
     for (const SceneLight* light : chosen) result.emplace_back(light->shape, light->strength, obstacles);
     return result;
   });
+  const LengthUnit unit = *length_unit_named(scene.length_unit);
   std::vector<std::string> names;
   for (const SceneLight* light : chosen) names.push_back(light->name);
   IrradianceOutputs outputs(options, scene, receivers.header, names);
@@ -126,7 +130,7 @@ ExitCode write_irradiance(const IrradianceOptions& options, const Scene& scene, 
   std::size_t malformed_lines = 0;
   for (auto batch = receivers.next_batch(); !batch.empty(); batch = receivers.next_batch()) {
     const std::size_t count = batch.size();
-    for (const LitRow& lit : lit_rows(std::move(batch), lights, threads)) {
+    for (const LitRow& lit : lit_rows(std::move(batch), chosen, unit, lights, threads)) {
       if (outputs.csv) outputs.csv->add(lit);
       if (outputs.json) outputs.json->add(lit);
       const auto* malformed = std::get_if<MalformedRow>(&lit.row);
@@ -152,6 +156,10 @@ ExitCode on_receiver(const IrradianceOptions& options, const Scene& scene) {
   require_name("--on", "receiver", options.on, scene.receivers);
   const auto receiver = std::find_if(scene.receivers.begin(), scene.receivers.end(),
                                      [&](const SceneReceiver& r) { return r.name == options.on; });
+  if (receiver == scene.receivers.end()) {
+    throw UsageError("--on: receiver '" + options.on + "' is taken as parts; name one of them, such as '" + options.on +
+                     "#0'");
+  }
   const ReceiverGrid grid(receiver->shape, whole_numbers<2>("--shape", options.shape, "nu,nv"));
   std::size_t next = 0;
   return write_irradiance(options, scene,

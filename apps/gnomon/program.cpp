@@ -111,6 +111,8 @@ int run_program(const ProgramText& program, int argc, char** argv) {
     code = misuse(program, words, error.what());
   } catch (const CLI::ParseError& error) {
     code = misuse(program, words, error.what());
+  } catch (const UnsupportedSceneError& error) {
+    code = fail(ExitCode::unsupported, error.what());
   } catch (const SceneError& error) {
     code = fail(ExitCode::bad_scene, error.what());
   } catch (const UnsupportedError& error) {

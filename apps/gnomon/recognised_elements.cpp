@@ -18,7 +18,9 @@ struct Recognise {
   RecognisedElement operator()(const ConvexPolygon& polygon) const { return plain("polygon", polygon.points().size()); }
   RecognisedElement operator()(const Polytope& polytope) const { return plain("polytope", polytope.vertices.size()); }
   RecognisedElement operator()(const ConcavePolygon& polygon) const {
-    return plain("concave_polygon", polygon.vertices.size());
+    RecognisedElement element = plain(polygon.shape, polygon.vertices.size());
+    if (polygon.rings.size() > 1) element.holes = polygon.rings.size() - 1;
+    return element;
   }
   RecognisedElement operator()(const Mesh& mesh) const {
     RecognisedElement element = plain("mesh", mesh.vertices.size());

@@ -21,6 +21,7 @@ struct RecognisedElement {
   std::string name;
   std::string shape;                    ///< as in the scene file
   std::optional<std::size_t> vertices;  ///< all but directions
+  std::optional<std::size_t> holes;     ///< polygons that have any
   std::optional<std::size_t> facets;    ///< meshes only
   std::optional<bool> closed;           ///< meshes only
   std::optional<bool> two_sided;        ///< polygon lights only

@@ -88,7 +88,7 @@ std::vector<std::uint32_t> supported_lights(const Scene& scene, const std::strin
   std::string reasons;
   for (std::uint32_t l = 0; l < scene.lights.size(); ++l) {
     const SceneLight& light = scene.lights[l];
-    if (!name.empty() && light.name != name) continue;
+    if (!is_asked_for(name, light.name)) continue;
     const std::string reason = refusal(light, parts);
     if (reason.empty()) {
       supported.push_back(l);
@@ -128,7 +128,7 @@ DiscontinuityResult divided_receivers(const Scene& scene, const ReceiverSelectio
   std::vector<std::uint32_t> chosen;
   for (std::uint32_t r = 0; r < parts.receivers.size(); ++r) {
     const std::string& name = scene.receivers[parts.receiver_ids[r]].name;
-    if (selection.receiver.empty() || name == selection.receiver) chosen.push_back(r);
+    if (is_asked_for(selection.receiver, name)) chosen.push_back(r);
   }
   if (chosen.empty() && !scene.receivers.empty()) {
     throw UnsupportedError(scene.source + ": no receiver asked for has exactly coplanar vertices");

@@ -76,16 +76,13 @@ std::vector<ScenePair> selected_pairs(const std::vector<SomeLight>& lights, cons
                                       const PairSelection& selection) {
   require_name("--light", "light", selection.light, lights);
   require_name("--blocker", "blocker", selection.blocker, blockers);
-  const auto chosen = [](const std::string& wanted, const std::string& name) {
-    return wanted.empty() || wanted == name;
-  };
   std::vector<std::vector<Part>> parts_of;
   for (const SomeBlocker& blocker : blockers) {
-    parts_of.push_back(chosen(selection.blocker, blocker.name) ? parts(blocker) : std::vector<Part>{});
+    parts_of.push_back(is_asked_for(selection.blocker, blocker.name) ? parts(blocker) : std::vector<Part>{});
   }
   std::vector<ScenePair> pairs;
   for (std::size_t l = 0; l < lights.size(); ++l) {
-    if (!chosen(selection.light, lights[l].name)) continue;
+    if (!is_asked_for(selection.light, lights[l].name)) continue;
     for (std::size_t b = 0; b < blockers.size(); ++b) {
       ScenePair pair;
       pair.light_index = l;

@@ -50,6 +50,12 @@ struct LightKeys {
   }
 };
 
+Json ring_vertices(const ConcavePolygon& polygon, std::size_t ring) {
+  Json list = Json::array();
+  for (const std::uint32_t i : polygon.rings[ring]) list.push_back(numbers(polygon.vertices[i]));
+  return list;
+}
+
 struct BlockerKeys {
   Json operator()(const ConvexPolygon& polygon) const {
     return {{"shape", "polygon"}, {"vertices", vertices(polygon.points())}};
@@ -58,7 +64,10 @@ struct BlockerKeys {
     return {{"shape", "polytope"}, {"vertices", vertices(polytope.vertices)}};
   }
   Json operator()(const ConcavePolygon& polygon) const {
-    return {{"shape", "concave_polygon"}, {"vertices", vertices(polygon.vertices)}};
+    if (polygon.rings.empty()) return {{"shape", polygon.shape}, {"vertices", vertices(polygon.vertices)}};
+    Json json = {{"shape", polygon.shape}, {"vertices", ring_vertices(polygon, 0)}};
+    for (std::size_t r = 1; r < polygon.rings.size(); ++r) json["holes"].push_back(ring_vertices(polygon, r));
+    return json;
   }
   Json operator()(const Mesh&) const { throw PreconditionError("a mesh is a file of its own"); }
 };

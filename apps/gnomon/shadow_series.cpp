@@ -5,6 +5,7 @@
 
 #include "apps/gnomon/computed_shadows.h"
 #include "apps/gnomon/console.h"
+#include "apps/gnomon/element_choice.h"
 #include "apps/gnomon/light_path.h"
 #include "apps/gnomon/scene_pairs.h"
 #include "apps/gnomon/shadow_summary.h"
@@ -23,6 +24,10 @@ std::string moving_light(const Scene& scene, const std::string& light) {
   if (light.empty()) {
     throw UsageError("--path moves one light, and the scene has " + std::to_string(names.size()) +
                      "; name it with --light");
+  }
+  const auto is_part = [&](const std::string& name) { return name != light && is_asked_for(light, name); };
+  if (std::ranges::any_of(names, is_part)) {
+    throw UnsupportedError("--path: light '" + light + "' is bent and taken as parts, which are not moved together");
   }
   return light;
 }

@@ -5,16 +5,20 @@
 #include <vector>
 
 #include "geometry/point.h"
+#include "geometry/scene/polygon_rings.h"
 
 namespace gnomon {
 
-/// Cuts a simple polygon along diagonals into convex ones.
+/// Cuts a polygon along diagonals into convex ones.
 ///
-/// Requires:    the vertices of a simple polygon, coplanar up to rounding, as scene files hold them.
+/// Requires:    the outer ring of a polygon and its holes, as scene files hold them: simple, apart from each other.
 /// Returns:     indices of the vertices of each piece. Collinear vertices are kept.
-/// Orientation: pieces run the same way round as the polygon. Seen along its dominant axis they are convex, do not
+/// Definition:  a bent polygon (see Flatness) is cut into triangles: the fan from its first vertex where that is convex
+///              seen along the dominant axis, else the constrained Delaunay triangulation seen there. What has holes
+///              is that triangulation too, with triangles joined where they make convex polygons.
+/// Orientation: pieces run the same way round as the outer ring. Seen along its dominant axis they are convex, do not
 ///              overlap and fill it.
-/// Exactness:   signs of orientation determinants of input points.
-std::vector<std::vector<std::uint32_t>> convex_partition(std::span<const Point3> polygon);
+/// Exactness:   signs of determinants of input points; no vertex is constructed.
+std::vector<Ring> convex_partition(std::span<const Point3> points, std::vector<Ring> rings);
 
 }  // namespace gnomon

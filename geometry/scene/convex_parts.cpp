@@ -1,27 +1,16 @@
 #include "geometry/scene/convex_parts.h"
 
-#include <numeric>
 #include <utility>
 
 #include "geometry/scene/convex_partition.h"
+#include "geometry/scene/polygon_rings.h"
 #include "geometry/spatial/polygon_checks.h"
 
 namespace gnomon {
 namespace {
 
-using Indices = std::vector<std::uint32_t>;
-
-Indices all_indices(std::size_t n) {
-  Indices indices(n);
-  std::iota(indices.begin(), indices.end(), 0u);
-  return indices;
-}
-
-std::vector<Point3> points_at(std::span<const Point3> points, const Indices& indices) {
-  std::vector<Point3> result;
-  result.reserve(indices.size());
-  for (const std::uint32_t i : indices) result.push_back(points[i]);
-  return result;
+std::vector<Point3> points_at(std::span<const Point3> points, const Ring& indices) {
+  return points_of_rings(points, {&indices, 1});
 }
 
 /// A piece that is convex seen along an axis. Its own rounding may be larger in proportion than that of the polygon it
@@ -31,40 +20,38 @@ ConvexBlocker convex_piece(std::vector<Point3> points) {
   return ConvexSolid::hull_of(std::move(points));
 }
 
-/// Adds a simple polygon: as it is, named `name`, if it is convex; else its pieces, named `name#0` and so on.
-void add_polygon(std::span<const Point3> points, const Indices& loop, const std::string& name,
-                 std::vector<ConvexPart>& parts) {
-  const std::vector<Point3> polygon = points_at(points, loop);
-  if (!ConvexPolygon::defect(polygon)) {
-    parts.push_back({name, convex_piece(polygon), loop});
-    return;
-  }
-  std::size_t count = 0;
-  for (const Indices& piece : convex_partition(polygon)) {
-    parts.push_back({name + '#' + std::to_string(count++), convex_piece(points_at(polygon, piece)), {}});
-    for (const std::uint32_t i : piece) parts.back().vertices.push_back(loop[i]);
-  }
+ConvexPart part_of(std::span<const Point3> points, std::string name, Ring piece) {
+  ConvexBlocker shape = convex_piece(points_at(points, piece));
+  return {std::move(name), std::move(shape), std::move(piece)};
 }
 
 struct PartsOf {
   const std::string& name;
 
   std::vector<ConvexPart> operator()(const ConvexPolygon& polygon) const {
-    return {{name, convex_blocker(polygon), all_indices(polygon.points().size())}};
+    return {{name, convex_blocker(polygon), whole_ring(polygon.points().size())}};
   }
   std::vector<ConvexPart> operator()(const Polytope& polytope) const {
-    return {{name, ConvexSolid::hull_of(polytope.vertices), all_indices(polytope.vertices.size())}};
+    return {{name, ConvexSolid::hull_of(polytope.vertices), whole_ring(polytope.vertices.size())}};
   }
   std::vector<ConvexPart> operator()(const ConcavePolygon& polygon) const {
     std::vector<ConvexPart> parts;
-    add_polygon(polygon.vertices, all_indices(polygon.vertices.size()), name, parts);
-    if (parts.size() == 1) parts.front().name = name + "#0";
+    for (Ring& piece : convex_pieces(polygon)) {
+      parts.push_back(part_of(polygon.vertices, name + '#' + std::to_string(parts.size()), std::move(piece)));
+    }
     return parts;
   }
   std::vector<ConvexPart> operator()(const Mesh& mesh) const {
     std::vector<ConvexPart> parts;
     for (std::size_t f = 0; f < mesh.facets.size(); ++f) {
-      add_polygon(mesh.vertices, mesh.facets[f], name + '#' + std::to_string(f), parts);
+      const std::size_t number = mesh.facet_numbers.empty() ? f : mesh.facet_numbers[f];
+      const std::string facet = name + '#' + std::to_string(number);
+      std::vector<Ring> pieces = convex_pieces(mesh.vertices, mesh.facets[f]);
+      const bool is_whole = pieces.size() == 1 && pieces[0] == mesh.facets[f];
+      for (std::size_t k = 0; k < pieces.size(); ++k) {
+        parts.push_back(
+            part_of(mesh.vertices, is_whole ? facet : facet + '#' + std::to_string(k), std::move(pieces[k])));
+      }
     }
     return parts;
   }
@@ -76,13 +63,32 @@ std::vector<ConvexPart> convex_parts(const SceneBlocker& blocker) {
   return std::visit(PartsOf{blocker.name}, blocker.shape);
 }
 
+std::vector<Ring> convex_pieces(const ConcavePolygon& polygon) {
+  std::vector<Ring> rings = polygon.rings;
+  if (rings.empty()) rings.push_back(whole_ring(polygon.vertices.size()));
+  return convex_partition(polygon.vertices, std::move(rings));
+}
+
+std::vector<Ring> convex_pieces(std::span<const Point3> points, const Ring& facet) {
+  const std::vector<Point3> polygon = points_at(points, facet);
+  if (facet.size() == 3 || !ConvexPolygon::defect(polygon)) return {facet};
+  std::vector<Ring> rings = *without_seams(polygon, whole_ring(polygon.size()));
+  put_outer_ring_first(polygon, polygon_plane(polygon)->dropped_axis, rings);
+  std::vector<Ring> pieces = convex_partition(polygon, std::move(rings));
+  for (Ring& piece : pieces) {
+    for (std::uint32_t& i : piece) i = facet[i];
+  }
+  return pieces;
+}
+
 std::optional<ClosedSurface> enclosed_space(const SceneBlocker& blocker) {
   const Mesh* mesh = std::get_if<Mesh>(&blocker.shape);
   if (!mesh || !mesh->closed) return std::nullopt;
   ClosedSurface surface{mesh->vertices, {}};
-  for (const ConvexPart& part : convex_parts(blocker)) {
-    const Indices& loop = part.vertices;
-    for (std::size_t i = 2; i < loop.size(); ++i) surface.triangles.push_back({loop[0], loop[i - 1], loop[i]});
+  for (const Ring& facet : mesh->facets) {
+    for (const Ring& piece : convex_pieces(mesh->vertices, facet)) {
+      for (std::size_t i = 2; i < piece.size(); ++i) surface.triangles.push_back({piece[0], piece[i - 1], piece[i]});
+    }
   }
   return surface;
 }

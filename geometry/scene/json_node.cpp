@@ -85,10 +85,25 @@ std::string JsonNode::description() const {
   return "null";
 }
 
+std::string JsonNode::message(std::string_view found, std::string_view expected) const {
+  std::string text = *source_ + ": " + (pointer_.empty() ? "the whole document" : pointer_) + ": ";
+  if (!element_.empty()) text += element_ + ": ";
+  return text.append("found ").append(found).append("; expected ").append(expected);
+}
+
 void JsonNode::refuse(std::string_view found, std::string_view expected) const {
-  std::string message = *source_ + ": " + (pointer_.empty() ? "the whole document" : pointer_) + ": ";
-  if (!element_.empty()) message += element_ + ": ";
-  throw SceneError(message.append("found ").append(found).append("; expected ").append(expected));
+  throw SceneError(message(found, expected));
+}
+
+void JsonNode::refuse_as_unsupported(std::string_view found, std::string_view expected) const {
+  throw UnsupportedSceneError(message(found, expected));
+}
+
+std::string few_digits(double value) {
+  std::array<char, 32> digits{};
+  const auto end =
+      std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 6).ptr;
+  return {digits.data(), end};
 }
 
 std::string shortest(double value) {

@@ -41,10 +41,13 @@ class JsonNode {
   std::string description() const;
 
   [[noreturn]] void refuse(std::string_view found, std::string_view expected) const;
+  /// The same for what makes sense, but is not available: UnsupportedSceneError.
+  [[noreturn]] void refuse_as_unsupported(std::string_view found, std::string_view expected) const;
   [[noreturn]] void refuse_value(std::string_view expected) const { refuse(description(), expected); }
 
  private:
   JsonNode child(const nlohmann::json& value, const std::string& token) const;
+  std::string message(std::string_view found, std::string_view expected) const;
 
   const nlohmann::json* value_;
   const std::string* source_;
@@ -54,6 +57,9 @@ class JsonNode {
 
 /// The shortest decimal number that reads back as the same double.
 std::string shortest(double value);
+
+/// The number for people: 6 digits.
+std::string few_digits(double value);
 
 /// Words in quotes, separated by commas.
 std::string listed(std::initializer_list<std::string_view> words);

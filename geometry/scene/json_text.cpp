@@ -192,6 +192,9 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
 }  // namespace
 
 json parse_json(std::string_view text, const std::string& source) {
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) {
+    throw SceneError(source + ": found text in UTF-16; expected JSON text in UTF-8");
+  }
   // The parser takes a zero byte for the end of the text.
   if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
     throw SceneError(source + ": " + line_and_column(text, zero) + ": found a zero byte; expected JSON text");

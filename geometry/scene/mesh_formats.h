@@ -13,8 +13,16 @@ namespace gnomon {
 /// Facets as lists of vertex numbers, as a mesh file holds them.
 struct PolygonSoup {
   std::vector<Point3> vertices;
-  std::vector<std::vector<std::uint32_t>> facets;
+  std::vector<std::vector<std::uint32_t>> facets;  ///< of any length, empty ones too
+  std::vector<std::size_t> lines;                  ///< of each facet in a file of lines, the number of its own
+  std::uint64_t first_number = 0;                  ///< how the file calls its first vertex
+  std::vector<std::string> doubts;                 ///< what was passed over, in words that follow the file's name
+  std::vector<std::string> material_files;         ///< OBJ: as written
+  std::vector<std::string> materials;              ///< OBJ: those of facets
 };
+
+/// Where a facet stands: "line 7, facet 0", or "facet 0" in files without lines.
+std::string facet_place(const PolygonSoup& soup, std::size_t facet);
 
 /// The mesh file that is being read and the place in the scene that asked for it.
 struct MeshSource {
@@ -25,8 +33,8 @@ struct MeshSource {
   [[noreturn]] void refuse(std::string_view place, std::string_view found, std::string_view expected) const;
 };
 
-/// The readers of single formats. Vertices are finite; every facet has at least 3 of them, all within range. Normals,
-/// colours, textures and elements of other kinds are passed over.
+/// The readers of single formats. Vertices are finite, vertex numbers within range. Normals, colours, textures and
+/// elements of other kinds are passed over; so are lines whose first word is not known, with a doubt.
 ///
 /// Throws: SceneError.
 PolygonSoup obj_soup(std::string_view text, const MeshSource& source);

@@ -7,13 +7,16 @@
 #include <utility>
 
 #include "geometry/scene/file_text.h"
+#include "geometry/scene/material_file.h"
+#include "geometry/scene/mesh_facets.h"
 #include "geometry/scene/mesh_formats.h"
-#include "geometry/scene/polygon_refusal.h"
+#include "geometry/scene/mesh_text.h"
 
 namespace gnomon {
 namespace {
 
 constexpr std::size_t largest_mesh_file = std::size_t{128} << 20;
+constexpr std::size_t largest_material_file = std::size_t{1} << 20;
 
 /// The file name, if it stays in the scene's folder.
 std::filesystem::path checked_path(const JsonNode& node, const std::string& file) {
@@ -26,18 +29,10 @@ std::filesystem::path checked_path(const JsonNode& node, const std::string& file
   return path;
 }
 
-std::string lower_case_extension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return extension;
-}
-
 using SoupReader = PolygonSoup (*)(std::string_view, const MeshSource&);
 
 SoupReader soup_reader(const JsonNode& node, const std::filesystem::path& path) {
-  const std::string extension = lower_case_extension(path);
+  const std::string extension = lower_case(path.extension().string());
   if (extension == ".obj") return obj_soup;
   if (extension == ".off") return off_soup;
   if (extension == ".ply") return ply_soup;
@@ -45,15 +40,21 @@ SoupReader soup_reader(const JsonNode& node, const std::filesystem::path& path) 
   node.refuse_value("a mesh file that ends in .obj, .off, .ply or .stl");
 }
 
-void merge_equal_vertices(PolygonSoup& soup) {
+/// Makes equal vertices one, and leaves out those that are in no facet.
+void merge_vertices(PolygonSoup& soup) {
   const auto less = [](const Point3& p, const Point3& q) { return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z); };
+  std::vector<bool> is_used(soup.vertices.size(), false);
+  for (const auto& facet : soup.facets) {
+    for (const std::uint32_t index : facet) is_used[index] = true;
+  }
   std::map<Point3, std::uint32_t, decltype(less)> known(less);
   std::vector<Point3> vertices;
-  std::vector<std::uint32_t> renumbered;
-  for (const Point3& p : soup.vertices) {
-    const auto [entry, is_new] = known.try_emplace(p, static_cast<std::uint32_t>(vertices.size()));
-    if (is_new) vertices.push_back(p);
-    renumbered.push_back(entry->second);
+  std::vector<std::uint32_t> renumbered(soup.vertices.size());
+  for (std::size_t i = 0; i < soup.vertices.size(); ++i) {
+    if (!is_used[i]) continue;
+    const auto [entry, is_new] = known.try_emplace(soup.vertices[i], static_cast<std::uint32_t>(vertices.size()));
+    if (is_new) vertices.push_back(soup.vertices[i]);
+    renumbered[i] = entry->second;
   }
   soup.vertices = std::move(vertices);
   for (auto& facet : soup.facets) {
@@ -61,10 +62,12 @@ void merge_equal_vertices(PolygonSoup& soup) {
   }
 }
 
-/// Every directed edge once, and its opposite too.
+/// Every directed edge once, and its opposite too. Facets without an area count: they close gaps between others.
 bool is_closed(const PolygonSoup& soup) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
-  for (const auto& facet : soup.facets) {
+  for (const auto& all_corners : soup.facets) {
+    const Ring facet = without_repeats(soup.vertices, all_corners);
+    if (facet.size() < 3) continue;
     for (std::size_t i = 0; i < facet.size(); ++i) {
       if (!edges.emplace(facet[i], facet[i + 1 == facet.size() ? 0 : i + 1]).second) return false;
     }
@@ -72,50 +75,58 @@ bool is_closed(const PolygonSoup& soup) {
   return std::all_of(edges.begin(), edges.end(), [&](const auto& e) { return edges.contains({e.second, e.first}); });
 }
 
-/// Returns the largest deviation of a facet from its plane.
-double checked_facets(const PolygonSoup& soup, const MeshSource& source) {
-  double largest = 0;
-  std::vector<Point3> points;
-  for (std::size_t f = 0; f < soup.facets.size(); ++f) {
-    points.clear();
-    for (const std::uint32_t index : soup.facets[f]) points.push_back(soup.vertices[index]);
-    double deviation = 0;
-    if (const auto refusal = simple_polygon_refusal(points, deviation)) {
-      std::string place = "facet " + std::to_string(f);
-      if (refusal->vertex) place += ", corner " + std::to_string(*refusal->vertex);
-      source.refuse(place, refusal->found, refusal->expected);
+/// Lamps of other programs, which count as blockers here. Material files that are not there are not missed.
+void doubt_emission(const PolygonSoup& soup, const std::filesystem::path& folder, std::vector<std::string>& doubts) {
+  for (const std::string& file : soup.material_files) {
+    const std::filesystem::path path(file);
+    if (path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end()) continue;
+    const FileText text = file_text(folder / path, largest_material_file);
+    if (!text.problem.empty()) continue;
+    const std::set<std::string> emitting = emitting_materials(text.text);
+    for (const std::string& material : soup.materials) {
+      if (!emitting.contains(material)) continue;
+      doubts.push_back("the facets of the material " + word_text(material) + " emit light (Ke in " + word_text(file) +
+                       "), but count as blockers, not as lights");
     }
-    largest = std::max(largest, deviation);
   }
-  return largest;
+}
+
+PolygonSoup soup_of(const JsonNode& node, const MeshSource& source, const std::filesystem::path& folder) {
+  const std::filesystem::path path = checked_path(node, source.file);
+  const SoupReader reader = soup_reader(node, path);
+  const FileText text = file_text(folder / path, largest_mesh_file);
+  if (!text.problem.empty()) source.refuse("beside the scene", text.problem, "a mesh file");
+  PolygonSoup soup = reader(text.text, source);
+  doubt_emission(soup, (folder / path).parent_path(), soup.doubts);
+  merge_vertices(soup);
+  return soup;
+}
+
+void add_doubts(const std::string& title, std::vector<std::string> found, std::vector<std::string>& doubts) {
+  for (std::string& doubt : found) {
+    std::string sentence = title + ": " + doubt;
+    if (!doubt.empty() && std::ranges::find(doubts, sentence) == doubts.end()) doubts.push_back(std::move(sentence));
+  }
 }
 
 }  // namespace
 
 Mesh read_mesh(const SceneElement& element, const std::filesystem::path& folder, Scene& scene) {
   const JsonNode node = element.node.required("file", "the name of a mesh file");
-  const std::string file = node.string("the name of a mesh file");
-  const std::filesystem::path path = checked_path(node, file);
-  const SoupReader reader = soup_reader(node, path);
-  const FileText text = file_text(folder / path, largest_mesh_file);
-  const MeshSource source{node, file};
-  if (!text.problem.empty()) source.refuse("beside the scene", text.problem, "a mesh file");
-  PolygonSoup soup = reader(text.text, source);
-  if (soup.facets.empty()) source.refuse("the whole file", "no facet", "at least one");
-  merge_equal_vertices(soup);
-  const double deviation = checked_facets(soup, source);
-  if (deviation > 0) {
-    scene.doubts.push_back(element.title +
-                           ": some facets are not exactly coplanar; their vertices deviate from a plane by up to " +
-                           shortest(deviation) + " " + scene.length_unit + " and count as rounded");
-  }
+  const MeshSource source{node, node.string("the name of a mesh file")};
+  PolygonSoup soup = soup_of(node, source, folder);
+  CheckedFacets checked = checked_facets(soup, source, scene.length_unit);
+  if (checked.facets.empty()) source.refuse("the whole file", "no facet with an area", "at least one");
+  add_doubts(element.title + ": in " + word_text(source.file), std::move(soup.doubts), scene.doubts);
+  add_doubts(element.title, std::move(checked.doubts), scene.doubts);
   const bool closed = is_closed(soup);
   if (!closed) {
     scene.doubts.push_back(element.title +
                            ": the mesh is not closed, or its facets are not all wound the same way; they count as "
                            "single blockers, not as the surface of a solid");
   }
-  return {file, std::move(soup.vertices), std::move(soup.facets), closed};
+  if (checked.facets.size() == soup.facets.size()) checked.numbers.clear();
+  return {source.file, std::move(soup.vertices), std::move(checked.facets), closed, std::move(checked.numbers)};
 }
 
 }  // namespace gnomon

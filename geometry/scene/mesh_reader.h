@@ -9,8 +9,8 @@ namespace gnomon {
 
 /// Reads the mesh file that an element names. Vertices of equal coordinates become one, in every format.
 ///
-/// Every facet is held to the rules of a concave polygon: at least 3 vertices, none repeated, not all on one line,
-/// coplanar up to rounding, simple. Doubts (rounded facets, a mesh that is not closed) are added to the scene.
+/// Facets have to be simple polygons near a plane; they may have holes, by seams. Doubts are added to the scene: what
+/// was mended (see checked_facets) or passed over, lamps among the materials, a mesh that is not closed.
 ///
 /// Throws: SceneError.
 Mesh read_mesh(const SceneElement& element, const std::filesystem::path& folder, Scene& scene);

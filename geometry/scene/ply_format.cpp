@@ -101,30 +101,52 @@ Head read_head(MeshLines& lines) {
 class Numbers {
  public:
   Numbers(const MeshLines& head_lines, Encoding encoding, const MeshSource& source)
-      : lines_(head_lines.rest(), source), bytes_(head_lines.rest()), encoding_(encoding), source_(source) {}
+      : lines_(head_lines.rest(), source, head_lines.line()),
+        bytes_(head_lines.rest()),
+        encoding_(encoding),
+        source_(source) {}
 
   double next(ScalarType type, const std::string& place) {
-    const double value = encoding_ == Encoding::ascii ? next_word(place) : next_binary(type, place);
-    if (!std::isfinite(value)) source_.refuse(place, "a number that is not finite", "a finite number");
+    const double value = next_of_any_kind(type, place);
+    if (!std::isfinite(value)) refuse(place, "a number that is not finite", "a finite number");
     return value;
+  }
+
+  /// A number that is not used.
+  void pass_over(ScalarType type, const std::string& place) {
+    if (!std::isfinite(next_of_any_kind(type, place))) all_finite_ = false;
   }
 
   /// A count or an index.
   std::uint32_t next_whole(ScalarType type, const std::string& place) {
     const double value = next(type, place);
     if (value != std::floor(value) || value < 0 || value > UINT32_MAX) {
-      source_.refuse(place, "the number " + shortest(value), "a whole number, 0 or more");
+      refuse(place, "the number " + shortest(value), "a whole number, 0 or more");
     }
     return static_cast<std::uint32_t>(value);
   }
 
+  /// The line of the number that was read last; nothing in binary files.
+  std::optional<std::size_t> line() const {
+    return encoding_ == Encoding::ascii ? std::optional(lines_.line()) : std::nullopt;
+  }
+
+  void add_doubts(std::vector<std::string>& doubts) const {
+    if (!all_finite_) doubts.emplace_back("numbers that are not finite in properties that are not used");
+    if (encoding_ == Encoding::ascii) doubts.push_back(lines_.doubt());
+  }
+
  private:
+  double next_of_any_kind(ScalarType type, const std::string& place) {
+    return encoding_ == Encoding::ascii ? next_word(place) : next_binary(type, place);
+  }
+
   double next_word(const std::string& place) {
     if (word_ == lines_.words().size()) {
       if (!lines_.next()) refuse_end(place);
       word_ = 0;
     }
-    return lines_.number(word_++);
+    return lines_.any_number(word_++);
   }
 
   double next_binary(ScalarType type, const std::string& place) {
@@ -147,7 +169,11 @@ class Numbers {
   }
 
   [[noreturn]] void refuse_end(const std::string& place) const {
-    source_.refuse(place, "the end of the file", "as much as the head announces");
+    refuse(place, "the end of the file", "as much as the head announces");
+  }
+
+  [[noreturn]] void refuse(const std::string& place, std::string_view found, std::string_view expected) const {
+    source_.refuse(line() ? "line " + std::to_string(*line()) + ", " + place : place, found, expected);
   }
 
   MeshLines lines_;
@@ -155,6 +181,7 @@ class Numbers {
   Encoding encoding_;
   const MeshSource& source_;
   std::size_t word_ = 0;
+  bool all_finite_ = true;
 };
 
 void require_coordinates(const Element& element, const MeshSource& source) {
@@ -174,10 +201,15 @@ void read_item(const Element& element, const std::string& place, Numbers& number
                std::vector<std::uint32_t>& corners) {
   for (const Property& property : element.properties) {
     if (!property.count) {
-      const double value = numbers.next(property.type, place);
-      if (property.name == "x") point.x = value;
-      if (property.name == "y") point.y = value;
-      if (property.name == "z") point.z = value;
+      double* coordinate = property.name == "x"   ? &point.x
+                           : property.name == "y" ? &point.y
+                           : property.name == "z" ? &point.z
+                                                  : nullptr;
+      if (coordinate) {
+        *coordinate = numbers.next(property.type, place);
+      } else {
+        numbers.pass_over(property.type, place);
+      }
       continue;
     }
     const std::uint32_t count = numbers.next_whole(*property.count, place);
@@ -185,7 +217,7 @@ void read_item(const Element& element, const std::string& place, Numbers& number
       if (is_corner_list(property)) {
         corners.push_back(numbers.next_whole(property.type, place));
       } else {
-        numbers.next(property.type, place);
+        numbers.pass_over(property.type, place);
       }
     }
   }
@@ -207,8 +239,8 @@ void read_element(const Element& element, Numbers& numbers, const MeshSource& so
     read_item(element, place, numbers, point, corners);
     if (is_vertex) soup.vertices.push_back(point);
     if (!is_face) continue;
-    if (corners.size() < 3) source.refuse(place, "a facet of fewer than 3 vertices", "at least 3");
     soup.facets.push_back(std::move(corners));
+    if (numbers.line()) soup.lines.push_back(*numbers.line());
   }
 }
 
@@ -220,6 +252,8 @@ PolygonSoup ply_soup(std::string_view text, const MeshSource& source) {
   Numbers numbers(lines, head.encoding, source);
   PolygonSoup soup;
   for (const Element& element : head.elements) read_element(element, numbers, source, soup);
+  soup.doubts.push_back(lines.doubt());
+  numbers.add_doubts(soup.doubts);
   require_indices(soup, source);
   return soup;
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "geometry/point.h"
+#include "geometry/spatial/convex_polygon.h"
 
 namespace gnomon {
 
@@ -16,12 +17,13 @@ struct PolygonRefusal {
   std::string expected;
 };
 
-/// Nothing if the points are the vertices of a convex polygon.
-std::optional<PolygonRefusal> convex_polygon_refusal(std::span<const Point3> points);
+/// Refusals of single kinds: of a list of so many vertices, of a vertex that repeats another, of vertices on one line.
+PolygonRefusal too_few_refusal(std::size_t count);
+PolygonRefusal repeated_refusal(std::span<const Point3> points, std::uint32_t vertex, std::uint32_t other);
+PolygonRefusal collinear_refusal();
 
-/// Nothing if the points are the vertices of a simple polygon, convex or not, coplanar up to rounding.
-/// `deviation` receives the largest distance from its plane, 0 if it is exactly coplanar.
-std::optional<PolygonRefusal> simple_polygon_refusal(std::span<const Point3> points, double& deviation);
+/// Of vertices near one plane, whose boundary is not convex.
+PolygonRefusal convexity_refusal(std::span<const Point3> points, const PolygonDefect& defect);
 
 /// The point as messages print it: (0, 1.5, 2).
 std::string point_text(const Point3& point);

@@ -25,17 +25,22 @@ struct Polytope {
   std::vector<Point3> vertices;
 };
 
-/// A simple planar polygon that need not be convex.
+/// A polygon that is taken as several convex parts: one that is not convex, has holes, or is bent (see Flatness).
 struct ConcavePolygon {
-  std::vector<Point3> vertices;
+  std::vector<Point3> vertices;  ///< of all rings, one after the other
+  /// Indices of vertices: the outer ring, then the holes. None: one ring of all vertices.
+  std::vector<std::vector<std::uint32_t>> rings = {};
+  std::string shape = "concave_polygon";  ///< as the scene file calls it
 };
 
 /// A triangle or polygon mesh read from a file beside the scene.
 struct Mesh {
   std::string file;  ///< as written in the scene
   std::vector<Point3> vertices;
-  std::vector<std::vector<std::uint32_t>> facets;
-  bool closed = false;  ///< every edge in exactly two facets, in opposite directions
+  std::vector<std::vector<std::uint32_t>> facets;  ///< rings, with seams where a facet has holes
+  bool closed = false;                             ///< every edge in exactly two facets, in opposite directions
+  /// Of each facet, its number in the file, from 0; none if every facet of the file is here.
+  std::vector<std::uint32_t> facet_numbers = {};
 };
 
 using BlockerShape = std::variant<ConvexPolygon, Polytope, ConcavePolygon, Mesh>;
@@ -66,7 +71,7 @@ struct PlanarBlocker {
 struct Scene {
   std::string source;  ///< the file as the user named it, or "default" for the embedded scene
   int dimension = 3;
-  std::string length_unit = "m";
+  std::string length_unit = "m";  ///< the name of one of length_units
   std::vector<SceneLight> lights;
   std::vector<SceneBlocker> blockers;
   std::vector<SceneReceiver> receivers;

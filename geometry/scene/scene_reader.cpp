@@ -1,9 +1,9 @@
 #include "geometry/scene/scene_reader.h"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "geometry/length_unit.h"
 #include "geometry/scene/file_text.h"
 #include "geometry/scene/json_node.h"
 #include "geometry/scene/json_text.h"
@@ -32,11 +32,13 @@ int dimension(const JsonNode& document) {
 std::string length_unit(const JsonNode& document) {
   const auto node = document.optional("length_unit");
   if (!node) return "m";
-  std::string unit = node->string("a unit of length (a string), such as \"m\"");
-  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
-  if (unit.empty() || unit.size() > 40 || std::any_of(unit.begin(), unit.end(), is_control)) {
-    node->refuse_value("a unit of length of 1 to 40 printable bytes");
+  std::string expected;
+  for (const LengthUnit& unit : length_units) {
+    expected += (expected.empty() ? "\"" : ", \"") + std::string(unit.name) + '"';
   }
+  expected = "a unit of length among " + expected;
+  const std::string unit = node->string(expected);
+  if (!length_unit_named(unit)) node->refuse_value(expected);
   return unit;
 }
 
@@ -52,9 +54,10 @@ std::vector<SceneElement> optional_elements(const JsonNode& document, std::strin
 Scene read_document(const JsonNode& document, const std::filesystem::path& folder) {
   document.require_object("an object with the keys \"gnomon\", \"dimension\", \"lights\", \"blockers\"");
   require_version(document);
+  if (const auto schema = document.optional("$schema")) schema->string("the address of a JSON Schema (a string)");
   Scene scene;
   scene.dimension = dimension(document);
-  document.allow_keys({"gnomon", "dimension", "length_unit", "lights", "blockers", "receivers"}, "a scene");
+  document.allow_keys({"$schema", "gnomon", "dimension", "length_unit", "lights", "blockers", "receivers"}, "a scene");
   scene.length_unit = length_unit(document);
   const std::vector<SceneElement> lights = required_elements(document, "lights");
   const std::vector<SceneElement> blockers = required_elements(document, "blockers");
@@ -71,28 +74,39 @@ Scene read_document(const JsonNode& document, const std::filesystem::path& folde
   return scene;
 }
 
-Scene scene_of(const nlohmann::json& document, const std::string& source, const std::filesystem::path& folder) {
-  Scene scene = read_document(JsonNode(document, source), folder);
+/// A document and whether its text began with a byte-order mark, which the parser passes over.
+struct SceneText {
+  nlohmann::json document;
+  bool has_mark = false;
+};
+
+SceneText parsed(std::string_view text, const std::string& source) {
+  return {parse_json(text, source), text.starts_with("\xef\xbb\xbf")};
+}
+
+Scene scene_of(const SceneText& text, const std::string& source, const std::filesystem::path& folder) {
+  Scene scene = read_document(JsonNode(text.document, source), folder);
   scene.source = source;
+  if (text.has_mark) scene.doubts.emplace_back("the file begins with a byte-order mark, which is passed over");
   for (std::string& doubt : scene_doubts(scene)) scene.doubts.push_back(std::move(doubt));
   return scene;
 }
 
 /// The text is let go: large scenes need the memory.
-nlohmann::json document_in(const std::filesystem::path& file) {
+SceneText text_in(const std::filesystem::path& file) {
   const FileText text = file_text(file, largest_scene_file);
   if (!text.problem.empty()) throw SceneError(file.string() + ": found " + text.problem + "; expected a scene file");
-  return parse_json(text.text, file.string());
+  return parsed(text.text, file.string());
 }
 
 }  // namespace
 
 Scene parse_scene(std::string_view text, const std::string& source, const std::filesystem::path& folder) {
-  return scene_of(parse_json(text, source), source, folder);
+  return scene_of(parsed(text, source), source, folder);
 }
 
 Scene read_scene(const std::filesystem::path& file) {
-  return scene_of(document_in(file), file.string(), file.parent_path());
+  return scene_of(text_in(file), file.string(), file.parent_path());
 }
 
 }  // namespace gnomon

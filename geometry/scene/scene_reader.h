@@ -16,6 +16,12 @@ class SceneError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A scene file that makes sense, but asks for what this version cannot do.
+class UnsupportedSceneError : public SceneError {
+ public:
+  using SceneError::SceneError;
+};
+
 /// Reads and checks a scene file.
 ///
 /// Throws: SceneError for everything that is wrong with the file; nothing else.

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "geometry/scene/mesh_reader.h"
+#include "geometry/scene/polygon_reader.h"
 #include "geometry/scene/polygon_refusal.h"
 #include "geometry/spatial/polygon_checks.h"
 
@@ -16,34 +17,22 @@ std::vector<Point3> points3(const VertexNodes& nodes) {
   return points;
 }
 
-[[noreturn]] void refuse(const VertexNodes& nodes, const PolygonRefusal& refusal) {
-  const JsonNode& node = refusal.vertex ? nodes.items[*refusal.vertex] : nodes.list;
-  node.refuse(refusal.found, refusal.expected);
+bool is_polygon(const SceneElement& element) {
+  return element.shape == "polygon" || element.shape == "concave_polygon";
 }
 
-void doubt_rounding(const SceneElement& element, double deviation, Scene& scene) {
-  if (deviation == 0) return;
-  scene.doubts.push_back(element.title +
-                         ": its vertices are not exactly coplanar; they deviate from a plane by up to " +
-                         shortest(deviation) + " " + scene.length_unit +
-                         ", within the limit of 1e-9 of its diameter, and count as rounded");
+ConcaveRing concave_ring(const SceneElement& element) {
+  return element.shape == "polygon" ? ConcaveRing::refused : ConcaveRing::accepted;
 }
 
-ConvexPolygon read_convex_polygon(const SceneElement& element, Scene& scene) {
-  const VertexNodes nodes = vertex_nodes(element);
-  std::vector<Point3> points = points3(nodes);
-  if (const auto refusal = convex_polygon_refusal(points)) refuse(nodes, *refusal);
-  ConvexPolygon polygon = ConvexPolygon::from_points(std::move(points));
-  doubt_rounding(element, polygon.deviation(), scene);
-  return polygon;
-}
-
-SceneLight read_area_light(const SceneElement& element, Scene& scene) {
+void read_area_light(const SceneElement& element, Scene& scene) {
   element.node.allow_keys({"name", "shape", "vertices", "radiance", "two_sided"}, "a polygon light");
   const double radiance = strength(element, "radiance");
   const auto two_sided = element.node.optional("two_sided");
   const bool both = two_sided && two_sided->boolean("true or false");
-  return {element.name, AreaLight{read_convex_polygon(element, scene), both}, radiance};
+  for (NamedPolygon& part : polygon_parts(element.name, read_polygon(element, ConcaveRing::unsupported, scene))) {
+    scene.lights.push_back({std::move(part.name), AreaLight{std::move(part.polygon), both}, radiance});
+  }
 }
 
 SceneLight read_linear_light(const SceneElement& element) {
@@ -79,27 +68,19 @@ Polytope read_polytope(const SceneElement& element) {
   return {std::move(points)};
 }
 
-ConcavePolygon read_concave_polygon(const SceneElement& element, Scene& scene) {
-  const VertexNodes nodes = vertex_nodes(element);
-  std::vector<Point3> points = points3(nodes);
-  double deviation = 0;
-  if (const auto refusal = simple_polygon_refusal(points, deviation)) refuse(nodes, *refusal);
-  doubt_rounding(element, deviation, scene);
-  return {std::move(points)};
-}
-
 BlockerShape read_blocker_shape(const SceneElement& element, const std::filesystem::path& folder, Scene& scene) {
   if (element.shape == "mesh") {
     element.node.allow_keys({"name", "shape", "file"}, "a mesh");
     return read_mesh(element, folder, scene);
   }
-  if (element.shape != "polygon" && element.shape != "polytope" && element.shape != "concave_polygon") {
-    refuse_shape(element, {"polygon", "polytope", "concave_polygon", "mesh"});
+  if (element.shape == "polytope") {
+    element.node.allow_keys({"name", "shape", "vertices"}, "a polytope");
+    return read_polytope(element);
   }
-  element.node.allow_keys({"name", "shape", "vertices"}, "a " + element.shape);
-  if (element.shape == "polygon") return read_convex_polygon(element, scene);
-  if (element.shape == "polytope") return read_polytope(element);
-  return read_concave_polygon(element, scene);
+  if (!is_polygon(element)) refuse_shape(element, {"polygon", "polytope", "concave_polygon", "mesh"});
+  element.node.allow_keys({"name", "shape", "vertices", "holes"}, "a " + element.shape);
+  return std::visit([](auto polygon) { return BlockerShape(std::move(polygon)); },
+                    read_polygon(element, concave_ring(element), scene));
 }
 
 }  // namespace
@@ -107,13 +88,16 @@ BlockerShape read_blocker_shape(const SceneElement& element, const std::filesyst
 void read_spatial_lights(const std::vector<SceneElement>& elements, Scene& scene) {
   for (const SceneElement& element : elements) {
     if (element.shape == "polygon") {
-      scene.lights.push_back(read_area_light(element, scene));
+      read_area_light(element, scene);
     } else if (element.shape == "segment") {
       scene.lights.push_back(read_linear_light(element));
     } else if (element.shape == "point") {
       scene.lights.push_back(read_point_light(element));
     } else if (element.shape == "direction") {
       scene.lights.push_back(read_directional_light(element));
+    } else if (element.shape == "concave_polygon" || element.shape == "mesh") {
+      element.node.refuse_as_unsupported("a light of the shape " + element.shape,
+                                         "a convex polygon: other lights are not available in this version");
     } else {
       refuse_shape(element, {"polygon", "segment", "point", "direction"});
     }
@@ -129,9 +113,11 @@ void read_spatial_blockers(const std::vector<SceneElement>& elements, const std:
 
 void read_spatial_receivers(const std::vector<SceneElement>& elements, Scene& scene) {
   for (const SceneElement& element : elements) {
-    if (element.shape != "polygon") refuse_shape(element, {"polygon"});
-    element.node.allow_keys({"name", "shape", "vertices"}, "a polygon receiver");
-    scene.receivers.push_back({element.name, read_convex_polygon(element, scene)});
+    if (!is_polygon(element)) refuse_shape(element, {"polygon", "concave_polygon"});
+    element.node.allow_keys({"name", "shape", "vertices", "holes"}, "a receiver");
+    for (NamedPolygon& part : polygon_parts(element.name, read_polygon(element, concave_ring(element), scene))) {
+      scene.receivers.push_back({std::move(part.name), std::move(part.polygon)});
+    }
   }
 }
 

@@ -84,7 +84,7 @@ Examination examine(std::span<const Point3> points) {
   }
   const std::optional<PolygonPlane> plane = polygon_plane(points);
   if (!plane) return {PolygonDefect{Kind::collinear}, {}};
-  if (!plane->within_tolerance) {
+  if (plane->flatness > Flatness::rounded) {
     return {PolygonDefect{Kind::not_coplanar, plane->farthest, 0, plane->deviation}, {}};
   }
   const std::vector<FlatPoint> ring = projections(points, plane->dropped_axis);

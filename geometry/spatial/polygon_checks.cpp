@@ -143,10 +143,10 @@ int dominant_axis(std::span<const Point3> points, const PointTriple& triple) {
   return best;
 }
 
-/// deviation <= 1e-9 diameter, in squares. The diameter lies between the largest distance from the first vertex and
+/// deviation * limit <= diameter, in squares. The diameter lies between the largest distance from the first vertex and
 /// twice that, which settles all but a few polygons without looking at pairs.
-bool is_within_tolerance(const Rational& deviation, const Rational& from_first, std::span<const Point3> points) {
-  const Rational diameter = deviation * Rational(1000000000) * Rational(1000000000);
+bool is_within(long limit, const Rational& deviation, const Rational& from_first, std::span<const Point3> points) {
+  const Rational diameter = deviation * Rational(limit) * Rational(limit);
   if (diameter <= from_first) return true;
   if (diameter > 4 * from_first) return false;
   return diameter <= squared_diameter(points);
@@ -167,7 +167,9 @@ PolygonPlane rounded_plane(std::span<const Point3> points) {
   }
   const Rational deviation = farthest * farthest / dot(normal, normal);
   plane.deviation = square_root(deviation);
-  plane.within_tolerance = is_within_tolerance(deviation, from_first, points);
+  plane.flatness = is_within(1000000000, deviation, from_first, points) ? Flatness::rounded
+                   : is_within(100, deviation, from_first, points)      ? Flatness::bent
+                                                                        : Flatness::crooked;
   return plane;
 }
 

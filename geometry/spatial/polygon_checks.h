@@ -19,6 +19,15 @@ struct RepeatedVertex {
 /// Cost: O(n log n).
 std::optional<RepeatedVertex> repeated_vertex(std::span<const Point3> points);
 
+/// How far the vertices of a polygon are from one plane, as a share of the largest distance of two of them. The limits
+/// belong to the format of scene files; the deviation is compared with them exactly.
+enum class Flatness {
+  flat,     ///< exactly coplanar
+  rounded,  ///< at most 1e-9 off: coordinates of a plane that were rounded to doubles
+  bent,     ///< at most 1e-2 off: what float files, millimetre grids and measured rooms hold
+  crooked,  ///< farther off
+};
+
 /// The plane that stands for the vertices of a polygon.
 ///
 /// Definition: exactly coplanar vertices: their plane. Otherwise the plane through the first vertex p, the first vertex
@@ -26,10 +35,10 @@ std::optional<RepeatedVertex> repeated_vertex(std::span<const Point3> points);
 /// of the largest area. No vertex is then much farther from it than from the best plane there is, and for most
 /// polygons it is the plane of the first three vertices.
 struct PolygonPlane {
-  int dropped_axis;              ///< 0, 1, 2 for x, y, z: leaving it out maps the plane one to one
-  double deviation = 0;          ///< of `farthest`; relative error below 1e-12; 0 if and only if exactly coplanar
-  std::uint32_t farthest = 0;    ///< the vertex farthest from the plane, of lowest index
-  bool within_tolerance = true;  ///< deviation <= 1e-9 (the rational number) times the largest distance of two vertices
+  int dropped_axis;            ///< 0, 1, 2 for x, y, z: leaving it out maps the plane one to one
+  double deviation = 0;        ///< of `farthest`; relative error below 1e-12; 0 if and only if exactly coplanar
+  std::uint32_t farthest = 0;  ///< the vertex farthest from the plane, of lowest index
+  Flatness flatness = Flatness::flat;
 };
 
 /// The plane of the vertices, or nothing if they lie on one line.

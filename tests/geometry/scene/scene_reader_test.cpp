@@ -85,6 +85,80 @@ TEST(SceneReader, AcceptsARoundedPolygonWithADoubtThatTellsItsDeviation) {
   EXPECT_THAT(scene.doubts, Contains(AllOf(HasSubstr("blocker \"table\""), HasSubstr("deviate"), HasSubstr("e-17 m"))));
 }
 
+TEST(SceneReader, AcceptsABentPolygonAsTrianglesWithADoubtThatTellsItsDeviation) {
+  const Scene scene = good_scene("bent_polygon");
+  EXPECT_EQ(std::get<ConcavePolygon>(scene.blockers[0].shape).shape, "polygon");
+  EXPECT_THAT(scene.doubts, ElementsAre(AllOf(HasSubstr("blocker \"table\""), HasSubstr("up to 2e-09 m"),
+                                              HasSubstr("taken as triangles, table#0"))));
+}
+
+TEST(SceneReader, MendsHarmlessDefectsWithADoubtEach) {
+  const Scene scene = good_scene("mended");
+  EXPECT_EQ(std::get<ConvexPolygon>(scene.blockers[0].shape).points().size(), 3u);
+  EXPECT_EQ(std::get<ConcavePolygon>(scene.blockers[1].shape).vertices.size(), 4u);
+  EXPECT_THAT(std::get<ConcavePolygon>(scene.blockers[2].shape).rings, ElementsAre(ElementsAre(0, 1, 4)));
+  EXPECT_THAT(scene.doubts, ElementsAre(AllOf(HasSubstr("\"closed\""), HasSubstr("last vertex repeats the first")),
+                                        AllOf(HasSubstr("\"stutter\""), HasSubstr("1 vertex repeating a neighbour")),
+                                        AllOf(HasSubstr("\"spike\""), HasSubstr("along an edge and back"))));
+}
+
+TEST(SceneReader, PassesOverAByteOrderMarkWithADoubt) {
+  const Scene scene = parse_scene("\xef\xbb\xbf" + std::string(default_scene_text()), "test", {});
+  EXPECT_THAT(scene.doubts, ElementsAre(HasSubstr("byte-order mark")));
+}
+
+TEST(SceneReader, AcceptsTheAddressOfASchema) {
+  EXPECT_EQ(parse_scene(R"({"$schema": "x", "gnomon": 1, "dimension": 2, "lights": [], "blockers": []})", "test", {})
+                .dimension,
+            2);
+}
+
+TEST(SceneReader, ReadsHolesAsRingsAndAsSeams) {
+  const Scene scene = good_scene("holes");
+  EXPECT_THAT(std::get<ConcavePolygon>(scene.blockers[0].shape).rings,
+              ElementsAre(ElementsAre(0, 1, 2, 3), ElementsAre(4, 5, 6), ElementsAre(7, 8, 9)));
+  EXPECT_THAT(std::get<ConcavePolygon>(scene.blockers[1].shape).rings,
+              ElementsAre(ElementsAre(0, 1, 2, 3), ElementsAre(5, 6, 7)));
+  EXPECT_THAT(scene.doubts, ElementsAre(HasSubstr("last vertex repeats the first")));
+}
+
+TEST(SceneReader, TakesBentLightsAndReceiversAsTrianglesAndConcaveReceiversAsConvexPolygons) {
+  const std::string bent = R"("shape": "polygon", "vertices": [[0,0,1],[1,0,1],[1,1,1],[0,1,1.001]]})";
+  const Scene scene = parse_scene(R"({"gnomon": 1, "dimension": 3, "lights": [{"name": "lamp", "radiance": 2, )" +
+                                      bent + R"(], "blockers": [], "receivers": [{"name": "roof", )" + bent +
+                                      R"(, {"name": "yard", "shape": "concave_polygon", "vertices":
+                                           [[0,0,0],[2,0,0],[2,1,0],[1,1,0],[1,2,0],[0,2,0]]}]})",
+                                  "test", {});
+  ASSERT_EQ(scene.lights.size(), 2u);
+  EXPECT_EQ(scene.lights[1].name, "lamp#1");
+  EXPECT_EQ(scene.lights[1].strength, 2);
+  EXPECT_EQ(std::get<AreaLight>(scene.lights[1].shape).polygon.points()[2], (Point3{0, 1, 1.001}));
+  std::vector<std::string> names;
+  for (const SceneReceiver& receiver : scene.receivers) {
+    EXPECT_TRUE(receiver.shape.is_flat());
+    names.push_back(receiver.name);
+  }
+  EXPECT_THAT(names, ElementsAre("roof#0", "roof#1", "yard#0", "yard#1"));
+}
+
+TEST(SceneReader, TellsLightsThatAreNotAvailableFromMistakes) {
+  const auto read = [](const std::string& light) {
+    parse_scene(R"({"gnomon": 1, "dimension": 3, "blockers": [], "lights": [{"name": "lamp", )" + light + "}]}", "test",
+                {});
+  };
+  EXPECT_THROW(read(R"("shape": "mesh", "file": "lamp.obj")"), UnsupportedSceneError);
+  EXPECT_THROW(read(R"("shape": "concave_polygon", "vertices": [])"), UnsupportedSceneError);
+  EXPECT_THROW(read(R"("shape": "polygon", "vertices": [[0,0,0],[4,0,0],[1,1,0],[0,4,0]])"), UnsupportedSceneError);
+  try {
+    read(R"("shape": "polygon", "vertices": [[0,0,0],[4,4,0],[4,0,0],[0,4,0]])");
+    FAIL() << "accepted";
+  } catch (const UnsupportedSceneError&) {
+    FAIL() << "taken for a concave light";
+  } catch (const SceneError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("edges 0 and 2 meet"));
+  }
+}
+
 TEST(SceneReader, DoubtsWhatLooksLikeAMistake) {
   const Scene scene = good_scene("doubtful");
   EXPECT_THAT(scene.doubts,
