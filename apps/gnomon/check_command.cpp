@@ -30,7 +30,10 @@ Json elements_json(const std::vector<RecognisedElement>& elements) {
     if (element.facets) json["facets"] = *element.facets;
     if (element.closed) json["closed"] = *element.closed;
     if (element.two_sided) json["two_sided"] = *element.two_sided;
-    if (element.strength) json[element.strength->quantity] = element.strength->value;
+    if (element.strength) {
+      json[element.strength->quantity] = element.strength->value;
+      json["unit"] = element.strength->unit;
+    }
     list.push_back(std::move(json));
   }
   return list;

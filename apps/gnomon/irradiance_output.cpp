@@ -43,7 +43,8 @@ void IrradianceCsv::add(const LitRow& lit) {
 IrradianceJson::IrradianceJson(std::ostream& stream, const Scene& scene, std::vector<std::string> lights)
     : stream_(stream), lights_(std::move(lights)) {
   stream_ << "{\n  \"schema\": \"gnomon/irradiance/1\",\n  \"scene\": " << Json(scene.source).dump()
-          << ",\n  \"points\": [";
+          << ",\n  \"length_unit\": " << Json(scene.length_unit).dump()
+          << ",\n  \"irradiance_unit\": \"W/m^2\",\n  \"points\": [";
 }
 
 void IrradianceJson::add(const LitRow& lit) {

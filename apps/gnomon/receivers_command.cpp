@@ -39,7 +39,7 @@ void add_options(CLI::App& app, ReceiversOptions& options) {
   app.footer(
       "Each receiver is divided by every discontinuity but those of three edges in line. Faces are labelled lit,\n"
       "penumbra, umbra, unlit (behind or in the plane of the light), or unresolved_eee where three edges in line may\n"
-      "separate penumbra and umbra inside a face.\n\n"
+      "separate penumbra and umbra inside a face. Areas are in squares of the scene's unit of length.\n\n"
       "Examples:\n"
       "  gnomon receivers examples/cornell_box.scene.json --light ceiling_lamp --receiver floor\n"
       "  gnomon receivers examples/figure_4_22.scene.json --out floor_mesh --json -\n");
@@ -60,6 +60,7 @@ nlohmann::ordered_json receivers_json(const DiscontinuityResult& result) {
   nlohmann::ordered_json document = {{"schema", "gnomon/receivers/1"},
                                      {"scene", result.scene->source},
                                      {"length_unit", result.scene->length_unit},
+                                     {"area_unit", result.scene->length_unit + "^2"},
                                      {"receivers", nlohmann::ordered_json::array()}};
   for (const ReceiverResult& receiver : result.receivers) {
     const ReceiverMesh& mesh = receiver.mesh;

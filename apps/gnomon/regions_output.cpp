@@ -65,7 +65,8 @@ void RegionsCsv::add(const JudgedRow& judged) {
 RegionsJson::RegionsJson(std::ostream& stream, const Scene& scene, std::vector<std::string> lights)
     : stream_(stream), lights_(std::move(lights)), dimension_(scene.dimension) {
   stream_ << "{\n  \"schema\": \"gnomon/regions/1\",\n  \"scene\": " << Json(scene.source).dump()
-          << ",\n  \"dimension\": " << dimension_ << ",\n  \"points\": [";
+          << ",\n  \"dimension\": " << dimension_ << ",\n  \"length_unit\": " << Json(scene.length_unit).dump()
+          << ",\n  \"points\": [";
 }
 
 void RegionsJson::add(const JudgedRow& judged) {

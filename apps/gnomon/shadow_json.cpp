@@ -133,6 +133,8 @@ Json box_json(const Box3& box, int dimension) {
 Json shadow_json(const ShadowResult& result, const std::vector<ScenePair>& pairs) {
   const Scene& scene = *result.scene;
   Json document = {{"schema", "gnomon/shadow/1"}, {"scene", scene.source}, {"length_unit", scene.length_unit}};
+  document[scene.dimension == 2 ? "area_unit" : "volume_unit"] =
+      scene.length_unit + (scene.dimension == 2 ? "^2" : "^3");
   document["clip_box"] = box_json(result.clip_box, scene.dimension);
   document["pairs"] = Json::array();
   for (std::size_t i = 0; i < pairs.size(); ++i) {

@@ -53,8 +53,12 @@ TEST_F(CheckCommand, PrintsTheJsonAloneOnStandardOutput) {
   const json result = json::parse(run.out);
   EXPECT_EQ(result["schema"], "gnomon/check/1");
   EXPECT_EQ(result["dimension"], 3);
-  EXPECT_EQ(result["lights"][0],
-            (json{{"name", "lamp"}, {"shape", "polygon"}, {"vertices", 4}, {"two_sided", false}, {"radiance", 1.0}}));
+  EXPECT_EQ(result["lights"][0], (json{{"name", "lamp"},
+                                       {"shape", "polygon"},
+                                       {"vertices", 4},
+                                       {"two_sided", false},
+                                       {"radiance", 1.0},
+                                       {"unit", "W/(m^2 sr)"}}));
   EXPECT_EQ(result["blockers"][2], (json{{"name", "post"}, {"shape", "polytope"}, {"vertices", 4}}));
   EXPECT_EQ(result["receivers"], json::array());
   EXPECT_EQ(result["doubts"], json::array());

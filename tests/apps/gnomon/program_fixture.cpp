@@ -1,5 +1,7 @@
 #include "tests/apps/gnomon/program_fixture.h"
 
+#include "tests/support/json_schema.h"
+
 #include <stdlib.h>
 #include <sys/wait.h>
 
@@ -27,6 +29,18 @@ std::string contents(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+/// What the program writes as JSON follows the schema that it names; keys that no schema lists count as mistakes.
+void expect_schema(const std::string& text) {
+  const nlohmann::json document = nlohmann::json::parse(text, nullptr, false);
+  if (!document.is_object() || !document.contains("schema")) return;
+  const std::string name = document["schema"];
+  ASSERT_TRUE(name.starts_with("gnomon/") && name.ends_with("/1")) << name;
+  const std::string file = GNOMON_SCHEMAS "/" + name.substr(7, name.size() - 9) + ".schema.json";
+  const std::string violation =
+      schema_violation(document, nlohmann::json::parse(contents(file)), UnlistedKeys::refused);
+  EXPECT_EQ(violation, "") << file;
+}
+
 }  // namespace
 
 Program::Program(Display display) : display_(display), folder_(fresh_folder()) {
@@ -52,7 +66,15 @@ Outcome Program::shell(const std::string& command) const {
   const std::string all = prepare + hide + "{ " + command + "\n} </dev/null >'" + out + "' 2>'" + err + "'";
   const int status = std::system(all.c_str());
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  return {code, contents(out), contents(err)};
+  Outcome outcome{code, contents(out), contents(err)};
+  expect_schema(outcome.out);
+  return outcome;
+}
+
+nlohmann::json Program::read_json(const std::string& file) const {
+  const std::string text = read(file);
+  expect_schema(text);
+  return nlohmann::json::parse(text);
 }
 
 void Program::write(const std::string& file, const std::string& text) const {

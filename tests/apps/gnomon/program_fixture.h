@@ -33,7 +33,7 @@ class Program : public ::testing::Test {
 
   void write(const std::string& file, const std::string& text) const;
   std::string read(const std::string& file) const;
-  nlohmann::json read_json(const std::string& file) const { return nlohmann::json::parse(read(file)); }
+  nlohmann::json read_json(const std::string& file) const;
   std::string path_of(const std::string& file) const { return (folder_ / "run" / file).string(); }
   bool exists(const std::string& file) const { return std::filesystem::exists(folder_ / "run" / file); }
 
