@@ -10,11 +10,11 @@
 #include "apps/gnomon/command_line.h"
 #include "apps/gnomon/commands.h"
 #include "apps/gnomon/recognised_elements.h"
+#include "apps/gnomon/scene_input.h"
 #include "apps/gnomon/scene_pairs.h"
 #include "apps/gnomon/shadow_json.h"
 #include "apps/gnomon/shadow_summary.h"
 #include "apps/gnomon/text.h"
-#include "geometry/scene/scene_reader.h"
 
 namespace gnomon {
 namespace {
@@ -64,7 +64,7 @@ TextRow element_row(const RecognisedElement& element) {
   TextRow row{element.name, element.shape, counts};
   if (element.two_sided) row.back() += *element.two_sided ? ", two-sided" : ", one-sided";
   if (element.strength) {
-    row.push_back(element.strength->quantity + ' ' + number_text(element.strength->value) + ' ' +
+    row.push_back(element.strength->quantity + ' ' + rounded_text(element.strength->value) + ' ' +
                   element.strength->unit);
   }
   return row;
@@ -114,7 +114,8 @@ ExitCode check_command(Arguments arguments) {
       "  gnomon check examples/cornell_box.scene.json --json -\n");
   if (!parse_arguments(app, arguments)) return ExitCode::done;
 
-  const Scene scene = read_scene(options.scene);
+  const Scene scene = scene_file(options.scene);
+  if (options.quiet) print_doubts(scene);
   const RecognisedElements elements = recognised_elements(scene);
   const std::vector<ScenePair> pairs = scene_pairs(scene, {});
   if (!options.json.empty()) write_json(check_json(scene, elements, pairs), options.json);

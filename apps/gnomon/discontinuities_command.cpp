@@ -12,6 +12,7 @@
 #include "apps/gnomon/console.h"
 #include "apps/gnomon/discontinuity_output.h"
 #include "apps/gnomon/scene_discontinuities.h"
+#include "apps/gnomon/scene_input.h"
 #include "apps/gnomon/shadow_json.h"
 #include "apps/gnomon/text.h"
 #include "geometry/scene/scene_reader.h"
@@ -98,7 +99,7 @@ ExitCode discontinuities_command(Arguments arguments) {
     throw UsageError("nothing to write: give a folder with --out, or a file with --json");
   }
   const std::vector<OutputFormat> formats = tree_formats(options.format);
-  const Scene scene = read_scene(options.scene);
+  const Scene scene = scene_file_with_warnings(options.scene);
   const DiscontinuityResult result =
       scene_surfaces(scene, options.light, clip_box(scene, options.box), {options.threads, !options.quiet});
   std::vector<std::filesystem::path> files;

@@ -11,6 +11,7 @@
 #include "apps/gnomon/console.h"
 #include "apps/gnomon/point_batches.h"
 #include "apps/gnomon/region_finder.h"
+#include "apps/gnomon/scene_input.h"
 #include "apps/gnomon/text.h"
 #include "geometry/scene/scene_reader.h"
 #include "viz/grid_file.h"
@@ -73,7 +74,7 @@ ExitCode grid_command(Arguments arguments) {
   add_options(app, options);
   if (!parse_arguments(app, arguments)) return ExitCode::done;
   const std::array<std::uint32_t, 3> shape = whole_numbers<3>("--shape", options.shape, "nx,ny,nz");
-  const Scene scene = read_scene(options.scene);
+  const Scene scene = scene_file_with_warnings(options.scene);
   const RegionFinder finder = region_finder(scene, options.light);
   const PointGrid grid = PointGrid::in_box(shape, clip_box(scene, options.box));
   write_grid(grid, grid_values(grid, finder, options), scene, options.out);

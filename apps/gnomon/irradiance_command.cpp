@@ -17,6 +17,7 @@
 #include "apps/gnomon/output_file.h"
 #include "apps/gnomon/point_batches.h"
 #include "apps/gnomon/receiver_rows.h"
+#include "apps/gnomon/scene_input.h"
 #include "apps/gnomon/scene_obstacles.h"
 #include "apps/gnomon/text.h"
 #include "geometry/scene/scene_reader.h"
@@ -179,7 +180,7 @@ ExitCode irradiance_command(Arguments arguments) {
   if (!parse_arguments(app, arguments)) return ExitCode::done;
   if (options.at.empty() == options.on.empty()) throw UsageError("expected either --at POINTS.csv or --on RECEIVER");
   if (options.on.empty() != options.shape.empty()) throw UsageError("--on RECEIVER and --shape nu,nv go together");
-  const Scene scene = read_scene(options.scene);
+  const Scene scene = scene_file_with_warnings(options.scene);
   if (scene.dimension != 3) {
     throw UnsupportedError(scene.source + ": irradiance in scenes of dimension 2 is not available in this version");
   }

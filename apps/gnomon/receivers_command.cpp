@@ -12,6 +12,7 @@
 #include "apps/gnomon/console.h"
 #include "apps/gnomon/discontinuity_output.h"
 #include "apps/gnomon/scene_discontinuities.h"
+#include "apps/gnomon/scene_input.h"
 #include "apps/gnomon/shadow_json.h"
 #include "apps/gnomon/text.h"
 #include "geometry/scene/scene_reader.h"
@@ -127,7 +128,7 @@ ExitCode receivers_command(Arguments arguments) {
   add_options(app, options);
   if (!parse_arguments(app, arguments)) return ExitCode::done;
   const std::vector<OutputFormat> formats = tree_formats(options.format);
-  return write_all(options, formats, read_scene(options.scene));
+  return write_all(options, formats, scene_file_with_warnings(options.scene));
 }
 
 }  // namespace gnomon

@@ -13,6 +13,7 @@
 #include "apps/gnomon/point_table.h"
 #include "apps/gnomon/region_finder.h"
 #include "apps/gnomon/regions_output.h"
+#include "apps/gnomon/scene_input.h"
 #include "apps/gnomon/text.h"
 #include "geometry/scene/scene_reader.h"
 
@@ -117,7 +118,7 @@ ExitCode regions_command(Arguments arguments) {
   RegionsOptions options;
   add_options(app, options);
   if (!parse_arguments(app, arguments)) return ExitCode::done;
-  const Scene scene = read_scene(options.scene);
+  const Scene scene = scene_file_with_warnings(options.scene);
   return with_points(options.at, [&](std::istream& stream, const std::string& file) {
     return write_regions(options, scene, stream, file);
   });

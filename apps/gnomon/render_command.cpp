@@ -12,6 +12,7 @@
 #include "apps/gnomon/commands.h"
 #include "apps/gnomon/computed_shadows.h"
 #include "apps/gnomon/console.h"
+#include "apps/gnomon/scene_input.h"
 #include "apps/gnomon/scene_pairs.h"
 #include "apps/gnomon/shadow_summary.h"
 #include "apps/gnomon/text.h"
@@ -138,7 +139,7 @@ ExitCode render_folder(const RenderOptions& options, const PictureOptions& pictu
 }
 
 ExitCode render_scene_file(const RenderOptions& options, const PictureOptions& picture) {
-  const Scene scene = read_scene(options.scene);
+  const Scene scene = scene_file_with_warnings(options.scene);
   check_dimension(options, scene.dimension);
   const std::vector<ScenePair> pairs = scene_pairs(scene, {options.light, options.blocker});
   const Box3 box = clip_box(scene, options.box);

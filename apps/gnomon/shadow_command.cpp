@@ -12,6 +12,7 @@
 #include "apps/gnomon/computed_shadows.h"
 #include "apps/gnomon/console.h"
 #include "apps/gnomon/merged_shadows.h"
+#include "apps/gnomon/scene_input.h"
 #include "apps/gnomon/scene_pairs.h"
 #include "apps/gnomon/shadow_json.h"
 #include "apps/gnomon/shadow_series.h"
@@ -135,8 +136,8 @@ ExitCode shadow_command(Arguments arguments) {
   if (!parse_arguments(app, arguments)) return ExitCode::done;
   check_usage(options);
   const std::vector<OutputFormat> output_formats = formats(options.format);
-  const Scene scene =
-      options.scene.empty() ? parse_scene(default_scene_text(), "default", ".") : read_scene(options.scene);
+  const Scene scene = options.scene.empty() ? parse_scene(default_scene_text(), "default", ".")
+                                            : scene_file_with_warnings(options.scene);
   return options.path.empty() ? write_all(options, output_formats, scene) : write_series(options, scene);
 }
 

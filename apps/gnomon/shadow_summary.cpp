@@ -68,7 +68,7 @@ std::string block(const ScenePair& pair, const ShadowResult& result, std::size_t
   std::vector<TextRow> rows;
   for (const ShadowExtent& extent : shadow_extents(result, index)) {
     rows.push_back({std::string(extent.name), extent_text(extent.facts) + pockets_text(result, index, extent.name),
-                    number_text(extent.size_in_box) + ' ' + size_unit(*result.scene) + " in the box"});
+                    rounded_text(extent.size_in_box) + ' ' + size_unit(*result.scene) + " in the box"});
   }
   return text + aligned(rows, 2);
 }
@@ -84,7 +84,7 @@ TextRow line(const ScenePair& pair, const ShadowResult& result, std::size_t inde
   for (const ShadowExtent& extent : shadow_extents(result, index)) {
     row.push_back(extent.facts.empty
                       ? "empty"
-                      : number_text(extent.size_in_box) + (extent.facts.bounded ? " bounded" : " unbounded"));
+                      : rounded_text(extent.size_in_box) + (extent.facts.bounded ? " bounded" : " unbounded"));
   }
   return row;
 }
@@ -105,8 +105,9 @@ std::string together_text(const ShadowResult& result) {
     text += '\n' + light.light + " / all " + counted(light.blockers.size(), "segment") + " together\n";
     std::vector<TextRow> rows;
     for (const Region region : {Region::lit, Region::penumbra, Region::umbra}) {
-      rows.push_back({std::string(name(region)), counted(light.partition.count(region), "component"),
-                      number_text(light.in_box.area(region).nearest) + ' ' + size_unit(*result.scene) + " in the box"});
+      rows.push_back(
+          {std::string(name(region)), counted(light.partition.count(region), "component"),
+           rounded_text(light.in_box.area(region).nearest) + ' ' + size_unit(*result.scene) + " in the box"});
     }
     text += aligned(rows, 2);
   }
@@ -128,7 +129,7 @@ std::string shadow_summary(const ShadowResult& result, const std::vector<ScenePa
 
 std::string box_text(const Box3& box, int dimension) {
   const auto range = [](char axis, double min, double max) {
-    return std::string(1, axis) + ' ' + number_text(min) + " to " + number_text(max);
+    return std::string(1, axis) + ' ' + rounded_text(min) + " to " + rounded_text(max);
   };
   const std::string text = range('x', box.min.x, box.max.x) + ", " + range('y', box.min.y, box.max.y);
   return dimension == 2 ? text : text + ", " + range('z', box.min.z, box.max.z);

@@ -47,6 +47,15 @@ std::string number_text(double value) {
   return {buffer.data(), result.ptr};
 }
 
+std::string rounded_text(double value) {
+  std::array<char, 32> buffer{};
+  char* const end = buffer.data() + buffer.size();
+  const auto digits = std::to_chars(buffer.data(), end, value, std::chars_format::general, 6).ptr;
+  double rounded = value;  // what is no number stays
+  std::from_chars(buffer.data(), digits, rounded);
+  return number_text(rounded);
+}
+
 std::string counted(std::size_t count, std::string_view noun) {
   return std::to_string(count) + ' ' + std::string(noun) + (count == 1 ? "" : "s");
 }

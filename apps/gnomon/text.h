@@ -12,8 +12,11 @@ using TextRow = std::vector<std::string>;
 /// Rows as lines, cells padded so that columns stand below each other, two spaces between them.
 std::string aligned(const std::vector<TextRow>& rows, std::size_t indent);
 
-/// The shortest text that reads back as the same double.
+/// The shortest text that reads back as the same double, of at most 17 digits: for files.
 std::string number_text(double value);
+
+/// The number rounded to 6 digits: for people.
+std::string rounded_text(double value);
 
 /// "1 light", "2 lights".
 std::string counted(std::size_t count, std::string_view noun);

@@ -10,6 +10,7 @@ using nlohmann::json;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 class CheckCommand : public Program {
  protected:
@@ -104,6 +105,50 @@ TEST_F(CheckCommand, EndsWith3NamingFileElementAndExpectation) {
   EXPECT_EQ(run.code, 3);
   EXPECT_THAT(run.out, IsEmpty());
   EXPECT_THAT(run.err, AllOf(HasSubstr("repeated.scene.json"), HasSubstr("/blockers/0"), HasSubstr("leaf")));
+}
+
+TEST_F(CheckCommand, TellsASceneThatHoldsAMeshFile) {
+  write("vase.obj", "v 0 0 1\nv 1 0 1\nv 0 1 1\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+  const Outcome run = gnomon("check vase.obj");
+  EXPECT_EQ(run.code, 3);
+  EXPECT_THAT(run.err, AllOf(HasSubstr("vase.obj: found a mesh, expected a scene"), HasSubstr("\"floor\"")));
+  write("told.scene.json", run.err.substr(run.err.find('{')));
+  EXPECT_EQ(gnomon("receivers told.scene.json --json -").code, 0);
+  write("broken.obj", "v 0 0 nan\n");
+  EXPECT_THAT(gnomon("check broken.obj").err, AllOf(HasSubstr("broken.obj"), HasSubstr("line 1")));
+}
+
+TEST_F(CheckCommand, GivesWarningsOfItsDoubtsToEveryOtherCommand) {
+  write("dark.scene.json", R"({"gnomon": 1, "dimension": 3,
+    "lights": [{"name": "bulb", "shape": "point", "position": [0,0,5], "intensity": 0}],
+    "blockers": [{"name": "leaf", "shape": "polygon", "vertices": [[-1,-1,0], [1,-1,0], [1,1,0], [-1,1,0]]}],
+    "receivers": [{"name": "floor", "shape": "polygon", "vertices": [[-1,-1,-1], [1,-1,-1], [1,1,-1], [-1,1,-1]]}]})");
+  write("points.csv", "x,y,z\n0,0,-1\n");
+  write("normals.csv", "x,y,z,nx,ny,nz\n0,0,-1,0,0,1\n");
+  const std::string warning = "gnomon: warning: dark.scene.json: light \"bulb\": its strength is 0";
+  for (const std::string command :
+       {"regions dark.scene.json --at points.csv", "irradiance dark.scene.json --at normals.csv --quiet",
+        "shadow dark.scene.json --json -", "receivers dark.scene.json --json -",
+        "discontinuities dark.scene.json --json -",
+        "grid dark.scene.json --shape 2,2,2 --box=-1,-1,-1,1,1,1 --out grid.vti",
+        "render dark.scene.json --out dark.gltf", "check dark.scene.json --quiet"}) {
+    const Outcome run = gnomon(command);
+    EXPECT_EQ(run.code, 0) << command << run.err;
+    EXPECT_THAT(run.err, HasSubstr(warning)) << command;
+  }
+  EXPECT_THAT(gnomon("check dark.scene.json").err, IsEmpty());
+}
+
+TEST_F(CheckCommand, TellsOfManyDoubtsTheFirstAsWarningsAndHowManyMoreThereAre) {
+  std::string lights;
+  for (int i = 0; i < 15; ++i) {
+    lights += (i ? ", " : "") + std::string(R"({"name": "l)") + std::to_string(i) +
+              R"(", "shape": "point", "position": [0,0,5], "intensity": 0})";
+  }
+  write("dark.scene.json", R"({"gnomon": 1, "dimension": 3, "lights": [)" + lights + R"(], "blockers": []})");
+  write("points.csv", "x,y,z\n0,0,-1\n");
+  EXPECT_THAT(gnomon("regions dark.scene.json --at points.csv").err,
+              AllOf(HasSubstr("\"l8\""), Not(HasSubstr("\"l10\"")), HasSubstr("6 further doubts")));
 }
 
 }  // namespace

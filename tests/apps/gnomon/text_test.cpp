@@ -47,5 +47,14 @@ TEST(Counted, SaysOneInTheSingular) {
   EXPECT_EQ(counted(0, "pair"), "0 pairs");
 }
 
+TEST(Text, RoundsNumbersForPeopleToSixDigits) {
+  EXPECT_EQ(rounded_text(1.0 / 3), "0.333333");
+  EXPECT_EQ(rounded_text(1234567.8), "1234570");
+  EXPECT_EQ(rounded_text(-2.5), "-2.5");
+  EXPECT_EQ(rounded_text(0), "0");
+  EXPECT_EQ(rounded_text(1e300 / 3), "3.33333e+299");
+  EXPECT_EQ(rounded_text(HUGE_VAL), number_text(HUGE_VAL));
+}
+
 }  // namespace
 }  // namespace gnomon

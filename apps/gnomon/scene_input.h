@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "geometry/scene/scene.h"
+
+namespace gnomon {
+
+/// Reads a scene file.
+///
+/// Throws: SceneError; for a mesh file one that tells a scene which holds it.
+Scene scene_file(const std::string& file);
+
+/// The same, with the scene's doubts as warnings: what every command but `check` begins with.
+Scene scene_file_with_warnings(const std::string& file);
+
+/// Prints the doubts as warnings: the first few, and how many more there are.
+void print_doubts(const Scene& scene);
+
+}  // namespace gnomon
