@@ -1,6 +1,7 @@
 #include "shading/light_irradiance.h"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -62,33 +63,49 @@ Irradiance irradiance_without_size(const Light& light, const Point3& p, const Po
   return directional_irradiance(std::get<DirectionalLight>(light), normal);
 }
 
-/// What the fast level sees of a light, and what it gives.
+/// What is positive, though rounding may have left nothing of it.
+Irradiance positive(const Irradiance& e) {
+  if (e.value > 0) return e;
+  return {std::numeric_limits<double>::denorm_min(), shading::with_underflow(e.error_bound)};
+}
+
+bool receives(Region region) {
+  return region == Region::lit || region == Region::penumbra;
+}
+
+/// What the fast level sees of a light, and what it gives. Nothing also where rounding leaves nothing of what there is.
 struct Received {
   const Light& light;
-  const Point3& p;
+  const ReceiverPoint& receiver;
   const Point3& normal;
 
   std::optional<Irradiance> operator()(FastPointVisibility& level) const {
-    const std::optional<Region> region = level.region_from(p);
+    const std::optional<Region> region = level.region_of(receiver);
     if (!region) return std::nullopt;
-    return *region == Region::lit ? irradiance_without_size(light, p, normal) : Irradiance{};
+    return receives(*region) ? positive(irradiance_without_size(light, receiver.point, normal)) : Irradiance{};
   }
   std::optional<Irradiance> operator()(FastLinearVisibility& level) const {
-    const std::optional<LinearLightSeen> seen = level.seen_from(p);
+    const std::optional<LinearLightSeen> seen = level.seen_by(receiver);
     if (!seen) return std::nullopt;
-    return linear_irradiance(std::get<LinearLight>(light), *seen, p, normal);
+    if (!receives(seen->region)) return Irradiance{};
+    return if_positive(linear_irradiance(std::get<LinearLight>(light), *seen, receiver.point, normal));
   }
   std::optional<Irradiance> operator()(FastVisibility& level) const {
-    const std::optional<LightSeen> seen = level.seen_from(p);
+    const std::optional<LightSeen> seen = level.seen_by(receiver);
     if (!seen) return std::nullopt;
-    return lambert_irradiance(*seen, normal, 1);
+    if (!receives(seen->region)) return Irradiance{};
+    return if_positive(lambert_irradiance(*seen, normal, 1));
+  }
+
+  static std::optional<Irradiance> if_positive(const Irradiance& e) {
+    return e.value > 0 ? std::optional(e) : std::nullopt;
   }
 };
 
 Irradiance scaled(const Irradiance& e, double strength) {
   if (strength == 0) return {};
   if (e.value == 0 && e.error_bound == 0) return {};
-  const double value = strength * e.value;
+  const double value = std::fmax(strength * e.value, std::numeric_limits<double>::denorm_min());
   return {value, shading::with_underflow(1.001 * strength * e.error_bound + 2 * unit * value)};
 }
 
@@ -100,33 +117,38 @@ LightIrradiance::LightIrradiance(Light light, double strength, PreparedObstacles
       obstacles_(std::move(obstacles)),
       fast_(fast_level(light_, obstacles_.blockers())) {}
 
-std::optional<Irradiance> LightIrradiance::fast_answer(const Point3& p, const Point3& normal) {
-  if (obstacles_.may_enclose(p)) return std::nullopt;
-  const std::optional<Irradiance> e = std::visit(Received{light_, p, normal}, fast_);
+std::optional<Irradiance> LightIrradiance::fast_answer(const ReceiverPoint& receiver, const Point3& normal) {
+  if (obstacles_.encloses(receiver)) return Irradiance{};
+  const std::optional<Irradiance> e = std::visit(Received{light_, receiver, normal}, fast_);
   if (!e || !(e->error_bound >= 0 && e->error_bound <= widest_bound)) return std::nullopt;
   return e;
 }
 
-Irradiance LightIrradiance::exact_answer(const Point3& p, const Point3& normal) const {
-  const VisiblePart part = exact_visible_part(light_, obstacles_.obstacles(), p);
-  if (part.region == Region::umbra || part.region == Region::unlit) return {};
+Irradiance LightIrradiance::exact_answer(const ReceiverPoint& receiver, const Point3& normal) const {
+  const Point3& p = receiver.point;
+  const VisiblePart part = exact_visible_part(light_, obstacles_.obstacles(), receiver);
+  if (!receives(part.region)) return {};
   if (std::holds_alternative<PointLight>(light_) || std::holds_alternative<DirectionalLight>(light_)) {
-    return irradiance_without_size(light_, p, normal);
+    return positive(irradiance_without_size(light_, p, normal));
   }
   if (const auto* linear = std::get_if<LinearLight>(&light_)) {
-    return linear_irradiance(*linear, part.intervals, p, normal);
+    return positive(linear_irradiance(*linear, part.intervals, p, normal));
   }
   Irradiance sum;
   for (const SeenFacet& seen : part.facets) {
     sum = sum_of(sum, facet_irradiance(seen, std::get<AreaLight>(light_).two_sided, exact(p), normal));
   }
-  return sum;
+  return positive(sum);
+}
+
+Irradiance LightIrradiance::received(const ReceiverPoint& receiver, const Point3& normal) {
+  if (normal == Point3{}) throw PreconditionError("the receiver's normal has no direction");
+  const std::optional<Irradiance> fast = fast_answer(receiver, normal);
+  return scaled(fast ? *fast : exact_answer(receiver, normal), strength_);
 }
 
 Irradiance LightIrradiance::at(const Point3& p, const Point3& normal) {
-  if (normal == Point3{}) throw PreconditionError("the receiver's normal has no direction");
-  const std::optional<Irradiance> fast = fast_answer(p, normal);
-  return scaled(fast ? *fast : exact_answer(p, normal), strength_);
+  return received({p, FacingNormal{normal}}, normal);
 }
 
 }  // namespace gnomon

@@ -53,6 +53,9 @@ struct BlockerSet::Content {
   /// The same for a line of sight, in any order.
   void collect_along(const SightLine& line, std::vector<std::uint32_t>& found) const;
 
+  /// The same for a point: every blocker that it is within rounding of (resting_point), ascending, and some others.
+  void collect_near(const Point3& p, std::vector<std::uint32_t>& found) const;
+
   /// Replaces `found` by all blockers.
   void collect_all(std::vector<std::uint32_t>& found) const;
 };

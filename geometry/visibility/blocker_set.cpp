@@ -85,6 +85,15 @@ void BlockerSet::Content::collect_along(const SightLine& line, std::vector<std::
   append_boxes_along(*tree, line, found);
 }
 
+void BlockerSet::Content::collect_near(const Point3& p, std::vector<std::uint32_t>& found) const {
+  if (!tree) return collect_all(found);
+  found.clear();
+  const double size = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+  const double off = 16 * sight::unit * size;
+  append_boxes_near(*tree, {{p.x - off, p.y - off, p.z - off}, {p.x + off, p.y + off, p.z + off}}, found);
+  std::sort(found.begin(), found.end());
+}
+
 void BlockerSet::Content::collect_all(std::vector<std::uint32_t>& found) const {
   found.resize(shapes.size());
   std::iota(found.begin(), found.end(), 0U);

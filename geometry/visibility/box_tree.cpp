@@ -80,6 +80,11 @@ bool may_meet(const CGAL::Bbox_3& box, const Way& way) {
          cut_to_slab(box.zmin() - way.from.z, box.zmax() - way.from.z, way.step.z, first, last);
 }
 
+bool may_meet(const CGAL::Bbox_3& box, const Box3& other) {
+  return box.xmin() <= other.max.x && other.min.x <= box.xmax() && box.ymin() <= other.max.y &&
+         other.min.y <= box.ymax() && box.zmin() <= other.max.z && other.min.z <= box.zmax();
+}
+
 /// CGAL's way of asking: which nodes to enter, and what to do with the primitives below.
 template <class Query>
 struct Search {
@@ -127,6 +132,10 @@ std::shared_ptr<const BoxTree> box_tree(std::span<const Box3> boxes) {
 
 void append_boxes_in(const BoxTree& tree, const LightPyramid& pyramid, std::vector<std::uint32_t>& found) {
   tree.search(pyramid, found);
+}
+
+void append_boxes_near(const BoxTree& tree, const Box3& box, std::vector<std::uint32_t>& found) {
+  tree.search(box, found);
 }
 
 void append_boxes_along(const BoxTree& tree, const SightLine& line, std::vector<std::uint32_t>& found) {

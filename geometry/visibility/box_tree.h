@@ -23,4 +23,7 @@ void append_boxes_in(const BoxTree& tree, const LightPyramid& pyramid, std::vect
 /// Exactness: conservative.
 void append_boxes_along(const BoxTree& tree, const SightLine& line, std::vector<std::uint32_t>& found);
 
+/// Appends the names of all boxes that meet the box, in no order.
+void append_boxes_near(const BoxTree& tree, const Box3& box, std::vector<std::uint32_t>& found);
+
 }  // namespace gnomon

@@ -9,5 +9,6 @@ namespace gnomon {
 
 /// The visible part of which exact_visibility tells the region and the fraction.
 VisiblePart exact_visible_part(const Light& light, const Obstacles& obstacles, const Point3& p);
+VisiblePart exact_visible_part(const Light& light, const Obstacles& obstacles, const ReceiverPoint& receiver);
 
 }  // namespace gnomon

@@ -5,10 +5,13 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/rounding.h"
 #include "geometry/spatial/orientation.h"
 #include "geometry/visibility/blocker_content.h"
 #include "geometry/visibility/boundary_walk.h"
+#include "geometry/visibility/exact_front.h"
 #include "geometry/visibility/outline_builder.h"
+#include "geometry/visibility/receiver_candidates.h"
 
 namespace gnomon {
 
@@ -22,10 +25,13 @@ class FastLinearVisibility::Work {
     in_range_ = is_in_range(light.start) && is_in_range(light.end) && blockers_.content().largest <= largest;
   }
 
-  std::optional<LinearLightSeen> seen_from(const Point3& apex);
+  /// `receiver` is null for a bare point.
+  std::optional<LinearLightSeen> seen_from(const Point3& apex, const ReceiverPoint* receiver);
 
  private:
   bool stand_up(const Point3& apex);
+  std::optional<LinearLightSeen> look(const Point3& apex, const ReceiverPoint* receiver);
+  std::optional<LinearLightSeen> look_before(const ReceiverPoint& receiver);
   LinearLightSeen walk(const Point3& apex);
   StretchEnd end_at(const Edge& edge, const Station& station) const;
   LinearLightSeen penumbra(const Edge& edge);
@@ -107,15 +113,97 @@ LinearLightSeen FastLinearVisibility::Work::walk(const Point3& apex) {
   return {Region::lit, 1, 0, stretches_};
 }
 
-std::optional<LinearLightSeen> FastLinearVisibility::Work::seen_from(const Point3& apex) {
-  stretches_.clear();
-  if (!in_range_ || !is_in_range(apex) || !stand_up(apex)) return std::nullopt;
-  OutlineBuilder builder(apex, ends_, plane_, outlines_);
+std::optional<LinearLightSeen> FastLinearVisibility::Work::look(const Point3& apex, const ReceiverPoint* receiver) {
+  if (!stand_up(apex)) return std::nullopt;
+  OutlineBuilder builder(apex, ends_, plane_, outlines_, receiver ? Along::undecided : Along::hides);
   blockers_.content().collect({apex, outlines_.pyramid(), plane_}, candidates_);
+  if (receiver && !keep_before(*receiver, blockers_.content(), candidates_)) return std::nullopt;
   const Gathered gathered = builder.append_blockers(blockers_.content(), candidates_);
   if (gathered == Gathered::undecided) return std::nullopt;
   if (gathered == Gathered::covered) return LinearLightSeen{Region::umbra, 0, 0, {}};
   return walk(apex);
+}
+
+namespace {
+
+/// The part of a light before a receiver's plane, in shares; one of them is rounded, the other 0 or 1.
+struct SharesBefore {
+  double low = 0;
+  double high = 1;
+  double share = 1;  ///< of the whole; correctly rounded
+};
+
+SharesBefore shares_before(const Point3& start, const Point3& end, const ExactPlane& plane) {
+  const Rational at_start = plane.height(exact(start));
+  const Rational crossing = at_start / (at_start - plane.height(exact(end)));
+  const double near = nearest_double(crossing);
+  if (at_start > 0) return {0, near, near};
+  return {near, 1, nearest_double(Rational(1 - crossing))};
+}
+
+/// Adds up the lengths of stretches before the plane.
+class LengthBefore {
+ public:
+  explicit LengthBefore(const SharesBefore& shares) : shares_(shares) {}
+
+  void add(const StretchEnd& from, const StretchEnd& to) {
+    const double length = std::min(to.share, shares_.high) - std::max(from.share, shares_.low);
+    const double error = from.error + to.error + 4 * unit;
+    if (length > error) any_ = true;
+    if (length > -error && length <= error) doubt_ = true;
+    if (length <= -error) return;
+    sum_ += std::max(length, 0.0);
+    error_ += 1.01 * error;
+  }
+  /// Nothing if it is not known whether there is any.
+  std::optional<bool> any() const { return any_ || !doubt_ ? std::optional(any_) : std::nullopt; }
+  double sum() const { return sum_; }
+  double error() const { return error_; }
+
+ private:
+  SharesBefore shares_;
+  bool any_ = false;
+  bool doubt_ = false;
+  double sum_ = 0;
+  double error_ = 0;
+};
+
+}  // namespace
+
+/// Of a light that the receiver's plane cuts: what of the visible stretches, and of the gaps between them, lies before.
+std::optional<LinearLightSeen> FastLinearVisibility::Work::look_before(const ReceiverPoint& receiver) {
+  const SharesBefore shares = shares_before(ends_[0], ends_[1], exact_front(receiver));
+  std::optional<LinearLightSeen> seen = look(receiver.point, &receiver);
+  if (!seen) return seen;
+  seen->before_receiver = shares.share;
+  LengthBefore visible(shares);
+  LengthBefore hidden(shares);
+  StretchEnd last{std::nullopt, 0, 0, 0};
+  for (const VisibleStretch& stretch : seen->visible) {
+    visible.add(stretch.from, stretch.to);
+    if (stretch.from.blocker) hidden.add(last, stretch.from);
+    last = stretch.to;
+  }
+  if (last.blocker || seen->visible.empty()) hidden.add(last, {std::nullopt, 0, 1, 0});
+  if (!visible.any() || !hidden.any()) return std::nullopt;
+  seen->region = !*visible.any() ? Region::umbra : *hidden.any() ? Region::penumbra : Region::lit;
+  seen->fraction = seen->region == Region::lit ? shares.share : seen->region == Region::umbra ? 0 : visible.sum();
+  seen->error_bound = seen->region == Region::lit     ? unit * shares.share
+                      : seen->region == Region::umbra ? 0
+                                                      : visible.error();
+  if (seen->region == Region::umbra) seen->visible = {};
+  return seen;
+}
+
+std::optional<LinearLightSeen> FastLinearVisibility::Work::seen_from(const Point3& apex,
+                                                                     const ReceiverPoint* receiver) {
+  stretches_.clear();
+  if (!in_range_ || !is_in_range(apex)) return std::nullopt;
+  if (!receiver) return look(apex, nullptr);
+  const int start = side_of_front(*receiver, ends_[0]);
+  const int end = side_of_front(*receiver, ends_[1]);
+  if (start <= 0 && end <= 0) return LinearLightSeen{Region::unlit, 0, 0, {}, 0};
+  return start < 0 || end < 0 ? look_before(*receiver) : look(apex, receiver);
 }
 
 FastLinearVisibility::FastLinearVisibility(const LinearLight& light, BlockerSet blockers)
@@ -125,7 +213,11 @@ FastLinearVisibility& FastLinearVisibility::operator=(FastLinearVisibility&&) no
 FastLinearVisibility::~FastLinearVisibility() = default;
 
 std::optional<LinearLightSeen> FastLinearVisibility::seen_from(const Point3& point) {
-  return work_->seen_from(point);
+  return work_->seen_from(point, nullptr);
+}
+
+std::optional<LinearLightSeen> FastLinearVisibility::seen_by(const ReceiverPoint& receiver) {
+  return work_->seen_from(receiver.point, &receiver);
 }
 
 }  // namespace gnomon

@@ -9,6 +9,7 @@
 #include "geometry/region.h"
 #include "geometry/spatial/light.h"
 #include "geometry/visibility/blocker_set.h"
+#include "geometry/visibility/receiver_front.h"
 
 namespace gnomon {
 
@@ -34,6 +35,7 @@ struct LinearLightSeen {
   double error_bound = 0;  ///< |fraction - exact| is at most this; 0 outside the penumbra
   /// The stretches of positive length, from the light's start to its end. Valid until the next question.
   std::span<const VisibleStretch> visible;
+  double before_receiver = 1;  ///< of a receiver's point, the share of the light before its plane; correctly rounded
 };
 
 /// The fast level of visibility for one linear light behind many blockers, in doubles that know their bounds.
@@ -57,6 +59,13 @@ class FastLinearVisibility {
   ///
   /// Requires: finite coordinates.
   std::optional<LinearLightSeen> seen_from(const Point3& point);
+
+  /// The same for a point of a receiver: region and fraction of what lies before its plane, after exact_received. The
+  /// stretches are all that are visible, also behind the plane.
+  ///
+  /// Returns: nothing also where a blocker may hold the point, an edge is coplanar with light and point, or doubles do
+  ///          not tell whether a stretch reaches before the plane.
+  std::optional<LinearLightSeen> seen_by(const ReceiverPoint& receiver);
 
  private:
   class Work;

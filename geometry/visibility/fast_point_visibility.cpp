@@ -6,6 +6,7 @@
 
 #include "geometry/spatial/orientation.h"
 #include "geometry/visibility/blocker_content.h"
+#include "geometry/visibility/receiver_candidates.h"
 
 namespace gnomon {
 namespace {
@@ -13,11 +14,19 @@ namespace {
 using sight::is_in_range;
 using Shape = BlockerSet::Content::Shape;
 
-/// A line of sight: from a point to a light, or towards one infinitely far away.
+/// A line of sight: from a point to a light, or towards one infinitely far away. Of a receiver's point the limit of
+/// such lines from its front.
 struct LineOfSight {
   Point3 from;
   Point3 light;      ///< the light's place, or the direction towards it
   bool ends = true;  ///< at the light
+  const ReceiverFront* front = nullptr;
+
+  /// The side on which the line starts, as below.
+  int side(const Point3& a, const Point3& b, const Point3& c) const {
+    const int side = exact_orientation(a, b, c, from);
+    return side == 0 && front ? side_of_step(*front, a, b, c) : side;
+  }
 
   /// The side of the light: +1 where a, b, c run counterclockwise seen from it.
   int light_side(const Point3& a, const Point3& b, const Point3& c) const {
@@ -29,15 +38,18 @@ enum class Meeting { misses, meets, undecided };
 
 /// From beside the polygon's plane: the light lies beyond that plane and not outside of a plane through a side.
 Meeting meeting(const LineOfSight& line, std::span<const Point3> corners) {
-  const int side = exact_orientation(corners[0], corners[1], corners[2], line.from);
+  const int side = line.side(corners[0], corners[1], corners[2]);
   const int light_side = line.light_side(corners[0], corners[1], corners[2]);
   if (side == 0 && light_side == 0) return Meeting::undecided;
   if (side * light_side >= 0) return Meeting::misses;
+  bool touches = false;
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const Point3& next = corners[k + 1 == corners.size() ? 0 : k + 1];
-    if (side * line.light_side(line.from, corners[k], next) > 0) return Meeting::misses;
+    const int beside = side * line.light_side(line.from, corners[k], next);
+    if (beside > 0) return Meeting::misses;
+    touches = touches || beside == 0;
   }
-  return Meeting::meets;
+  return touches && line.front ? Meeting::undecided : Meeting::meets;
 }
 
 /// The light lies beyond the facets in front of the point, not in front of those in whose planes it is, and not outside
@@ -47,16 +59,19 @@ Meeting meeting(const LineOfSight& line, const ConvexSolid& solid, std::vector<i
   sides.clear();
   for (const ConvexSolid::Facet& facet : solid.facets()) {
     const auto corner = [&](std::size_t i) -> const Point3& { return points[facet.loop[i]]; };
-    sides.push_back(exact_orientation(corner(0), corner(1), corner(2), line.from));
+    sides.push_back(line.side(corner(0), corner(1), corner(2)));
     if (sides.back() < 0) continue;
     const int light_side = line.light_side(corner(0), corner(1), corner(2));
     if (light_side > 0 || (light_side == 0 && sides.back() > 0)) return Meeting::misses;
   }
+  bool touches = false;
   for (const ConvexSolid::Edge& edge : solid.edges()) {
     if (sides[edge.left] * sides[edge.right] >= 0) continue;
-    if (sides[edge.left] * line.light_side(line.from, points[edge.from], points[edge.to]) > 0) return Meeting::misses;
+    const int beside = sides[edge.left] * line.light_side(line.from, points[edge.from], points[edge.to]);
+    if (beside > 0) return Meeting::misses;
+    touches = touches || beside == 0;
   }
-  return Meeting::meets;
+  return touches && line.front ? Meeting::undecided : Meeting::meets;
 }
 
 LineOfSight line_of_sight(const FastPointVisibility::SmallLight& light, const Point3& from) {
@@ -70,12 +85,16 @@ LineOfSight line_of_sight(const FastPointVisibility::SmallLight& light, const Po
 FastPointVisibility::FastPointVisibility(SmallLight light, BlockerSet blockers)
     : light_(light), blockers_(std::move(blockers)) {}
 
-std::optional<Region> FastPointVisibility::region_from(const Point3& point) {
+std::optional<Region> FastPointVisibility::region_from(const Point3& point, const ReceiverPoint* receiver) {
   const BlockerSet::Content& content = blockers_.content();
-  const LineOfSight line = line_of_sight(light_, point);
+  LineOfSight line = line_of_sight(light_, point);
   const bool in_range = is_in_range(point) && is_in_range(line.light) && content.largest <= sight::largest;
   if (!in_range || (line.ends && point == line.light)) return std::nullopt;
   content.collect_along({line.from, line.light, line.ends}, candidates_);
+  if (receiver) {
+    line.front = &receiver->front;
+    if (!sight::keep_before(*receiver, content, candidates_)) return std::nullopt;
+  }
   bool decided = true;
   for (const std::uint32_t candidate : candidates_) {
     const Shape& shape = content.shapes[candidate];
@@ -86,6 +105,16 @@ std::optional<Region> FastPointVisibility::region_from(const Point3& point) {
   }
   if (!decided) return std::nullopt;
   return Region::lit;
+}
+
+std::optional<Region> FastPointVisibility::region_from(const Point3& point) {
+  return region_from(point, nullptr);
+}
+
+std::optional<Region> FastPointVisibility::region_of(const ReceiverPoint& receiver) {
+  const LineOfSight line = line_of_sight(light_, receiver.point);
+  const int side = line.ends ? side_of_front(receiver, line.light) : side_of_front_towards(receiver.front, line.light);
+  return side > 0 ? region_from(receiver.point, &receiver) : Region::unlit;
 }
 
 }  // namespace gnomon

@@ -9,6 +9,7 @@
 #include "geometry/region.h"
 #include "geometry/spatial/light.h"
 #include "geometry/visibility/blocker_set.h"
+#include "geometry/visibility/receiver_front.h"
 
 namespace gnomon {
 
@@ -31,7 +32,15 @@ class FastPointVisibility {
   /// Requires: finite coordinates.
   std::optional<Region> region_from(const Point3& point);
 
+  /// The same for a point of a receiver, after exact_received: lit, umbra or unlit.
+  ///
+  /// Returns: nothing also where a blocker may hold the point, or its edge touches the line of sight that is else
+  ///          hidden.
+  std::optional<Region> region_of(const ReceiverPoint& receiver);
+
  private:
+  std::optional<Region> region_from(const Point3& point, const ReceiverPoint* receiver);
+
   SmallLight light_;
   BlockerSet blockers_;
   std::vector<std::uint32_t> candidates_;

@@ -1,6 +1,7 @@
 #include "geometry/visibility/fast_visibility.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -10,7 +11,9 @@
 #include "geometry/visibility/blocker_content.h"
 #include "geometry/visibility/boundary_walk.h"
 #include "geometry/visibility/flat_area.h"
+#include "geometry/visibility/light_cut.h"
 #include "geometry/visibility/outline_builder.h"
+#include "geometry/visibility/receiver_candidates.h"
 
 namespace gnomon {
 
@@ -21,18 +24,26 @@ class FastVisibility::Work {
  public:
   Work(const AreaLight& light, BlockerSet blockers);
 
-  std::optional<LightSeen> seen_from(const Point3& point);
+  /// `receiver` is null for a bare point.
+  std::optional<LightSeen> seen_from(const Point3& point, const ReceiverPoint* receiver);
 
  private:
   int turn_to(const Point3& apex);
-  Gathered gather(const Point3& apex);
+  Gathered gather(const Point3& apex, const ReceiverPoint* receiver);
   void walk(const Point3& apex);
   void append_stretches_inside(BoundaryWalk& walk, std::uint32_t outline);
   void find_neighbours(std::uint32_t outline);
   void append_visible(BoundaryWalk& walk, const Piece& piece);
   LightSeen bounded(Region region, double fraction, double bound, std::size_t pieces);
+  FlatArea set_boundary();
+  LightSeen measured(const FlatArea& area);
   LightSeen visible_part();
   LightSeen wholly_visible();
+  std::array<std::int8_t, 2> sides_of_ends(std::size_t piece) const;
+  std::optional<Region> region_before() const;
+  FlatArea area_before() const;
+  std::optional<LightSeen> part_before();
+  std::optional<LightSeen> look(const Point3& point, const ReceiverPoint* receiver);
 
   BlockerSet blockers_;
   bool two_sided_;
@@ -43,6 +54,7 @@ class FastVisibility::Work {
   FlatArea light_area_;
 
   LightSide* shown_ = &front_;  ///< to the apex of the question
+  LightCut cut_;                ///< by the receiver's plane
   Outlines outlines_;
   std::vector<std::uint32_t> candidates_;
   std::vector<Piece> inside_;   ///< of the blockers' edges, inside the light
@@ -50,7 +62,8 @@ class FastVisibility::Work {
   std::vector<std::uint32_t> neighbours_;
   std::vector<std::int8_t> sides_;
   std::vector<Stretch> covers_;
-  std::vector<BoundaryPiece> boundary_;  ///< never shorter than before: only its beginning counts
+  std::vector<std::array<FlatPoint, 2>> flats_;  ///< the ends of the visible pieces
+  std::vector<BoundaryPiece> boundary_;          ///< never shorter than before: only its beginning counts
 };
 
 namespace {
@@ -139,9 +152,10 @@ int FastVisibility::Work::turn_to(const Point3& apex) {
 }
 
 /// Outlines the light and what may hide it.
-Gathered FastVisibility::Work::gather(const Point3& apex) {
+Gathered FastVisibility::Work::gather(const Point3& apex, const ReceiverPoint* receiver) {
   OutlineBuilder builder(apex, *shown_, outlines_);
   blockers_.content().collect({apex, outlines_.pyramid(), shown_->plane}, candidates_);
+  if (receiver && !keep_before(*receiver, blockers_.content(), candidates_)) return Gathered::undecided;
   return builder.append_blockers(blockers_.content(), candidates_);
 }
 
@@ -224,8 +238,10 @@ LightSeen FastVisibility::Work::wholly_visible() {
   return bounded(Region::lit, 1, 0, count);
 }
 
-LightSeen FastVisibility::Work::visible_part() {
+/// Works out what the visible pieces look like. Returns: the area that they bound.
+FlatArea FastVisibility::Work::set_boundary() {
   if (boundary_.size() < visible_.size()) boundary_.resize(visible_.size());
+  flats_.clear();
   AreaSum sum;
   for (std::size_t i = 0; i < visible_.size(); ++i) {
     const auto& [edge, stretch] = visible_[i];
@@ -233,8 +249,16 @@ LightSeen FastVisibility::Work::visible_part() {
     const Sighting to = sighting(outlines_, shown_->plane, edge, stretch.to);
     set_piece(boundary_[i], outlines_, edge, from.direction, to.direction);
     edge.of_light() ? sum.add(from.flat, to.flat) : sum.add(to.flat, from.flat);
+    if (cut_.extent == Extent::part) flats_.push_back({from.flat, to.flat});
   }
-  const FlatArea area = sum.total();
+  return sum.total();
+}
+
+LightSeen FastVisibility::Work::visible_part() {
+  return measured(set_boundary());
+}
+
+LightSeen FastVisibility::Work::measured(const FlatArea& area) {
   const double whole = light_area_.doubled;
   const double fraction = std::fabs(area.doubled) / whole;
   const double bound = 1.01 * (area.error + light_area_.error) / whole + 4 * unit;
@@ -242,18 +266,76 @@ LightSeen FastVisibility::Work::visible_part() {
                  visible_.size());
 }
 
-std::optional<LightSeen> FastVisibility::Work::seen_from(const Point3& point) {
-  if (!flat_ || !in_range_ || !is_in_range(point)) return std::nullopt;
-  const int front = turn_to(point);
-  if (front == 0 || (front < 0 && !two_sided_)) return LightSeen{Region::unlit, 0, 0, {}, {}};
-  const Gathered gathered = gather(point);
+/// On which side of the receiver's plane the ends of a visible piece lie.
+std::array<std::int8_t, 2> FastVisibility::Work::sides_of_ends(std::size_t piece) const {
+  const auto& [edge, stretch] = visible_[piece];
+  const auto side = [&](const Station& station, const FlatPoint& flat) {
+    const std::uint32_t ray = ray_at(edge, station);
+    return ray < cut_.sides.size() ? cut_.sides[ray] : height_of(flat, cut_).side();
+  };
+  return {side(stretch.from, flats_[piece][0]), side(stretch.to, flats_[piece][1])};
+}
+
+/// Some of the light's part before the plane is visible exactly if a corner of what is visible lies before it. Some is
+/// hidden exactly if a blocker's edge comes there: without one, the part is visible as a whole or not at all.
+std::optional<Region> FastVisibility::Work::region_before() const {
+  bool visible = false, hidden = false, may_be_visible = false, may_be_hidden = false;
+  for (std::size_t i = 0; i < visible_.size(); ++i) {
+    const bool of_light = visible_[i].edge.of_light();
+    for (const std::int8_t side : sides_of_ends(i)) {
+      visible = visible || side == 1;
+      may_be_visible = may_be_visible || side == uncertain;
+      hidden = hidden || (side == 1 && !of_light);
+      may_be_hidden = may_be_hidden || (side == uncertain && !of_light);
+    }
+  }
+  if ((!visible && may_be_visible) || (!hidden && may_be_hidden)) return std::nullopt;
+  return !visible ? Region::umbra : hidden ? Region::penumbra : Region::lit;
+}
+
+FlatArea FastVisibility::Work::area_before() const {
+  AreaBefore area(cut_);
+  for (std::size_t i = 0; i < visible_.size(); ++i) {
+    const auto& [from, to] = flats_[i];
+    visible_[i].edge.of_light() ? area.add(from, to) : area.add(to, from);
+  }
+  return area.total();
+}
+
+std::optional<LightSeen> FastVisibility::Work::part_before() {
+  set_boundary();
+  const std::optional<Region> region = region_before();
+  if (!region) return std::nullopt;
+  if (*region == Region::umbra) return LightSeen{Region::umbra, 0, 0, {}, {}};
+  if (*region == Region::penumbra) return measured(area_before());
+  return bounded(Region::lit, 1, 0, visible_.size());
+}
+
+std::optional<LightSeen> FastVisibility::Work::look(const Point3& point, const ReceiverPoint* receiver) {
+  const Gathered gathered = gather(point, receiver);
   if (gathered == Gathered::undecided) return std::nullopt;
   if (gathered == Gathered::covered) return LightSeen{Region::umbra, 0, 0, {}, {}};
   if (outlines_.list.size() == 1) return wholly_visible();
   walk(point);
   if (inside_.empty()) return wholly_visible();
   if (visible_.empty()) return LightSeen{Region::umbra, 0, 0, {}, {}};
-  return visible_part();
+  return cut_.extent == Extent::part ? part_before() : visible_part();
+}
+
+std::optional<LightSeen> FastVisibility::Work::seen_from(const Point3& point, const ReceiverPoint* receiver) {
+  if (!flat_ || !in_range_ || !is_in_range(point)) return std::nullopt;
+  const int front = turn_to(point);
+  cut_.extent = Extent::all;
+  if (receiver) cut_light(*shown_, *receiver, cut_);
+  const bool is_unlit = front == 0 || (front < 0 && !two_sided_) || cut_.extent == Extent::none;
+  std::optional<LightSeen> seen = is_unlit ? LightSeen{Region::unlit, 0, 0, {}, {}} : look(point, receiver);
+  if (!seen || !receiver) return seen;
+  seen->before_receiver = cut_.share;
+  if (seen->region == Region::lit && cut_.extent == Extent::part) {
+    seen->fraction = cut_.share;
+    seen->error_bound = unit * cut_.share;
+  }
+  return seen;
 }
 
 FastVisibility::FastVisibility(const AreaLight& light, BlockerSet blockers)
@@ -263,7 +345,11 @@ FastVisibility& FastVisibility::operator=(FastVisibility&&) noexcept = default;
 FastVisibility::~FastVisibility() = default;
 
 std::optional<LightSeen> FastVisibility::seen_from(const Point3& point) {
-  return work_->seen_from(point);
+  return work_->seen_from(point, nullptr);
+}
+
+std::optional<LightSeen> FastVisibility::seen_by(const ReceiverPoint& receiver) {
+  return work_->seen_from(receiver.point, &receiver);
 }
 
 }  // namespace gnomon

@@ -9,6 +9,7 @@
 #include "geometry/region.h"
 #include "geometry/spatial/light.h"
 #include "geometry/visibility/blocker_set.h"
+#include "geometry/visibility/receiver_front.h"
 
 namespace gnomon {
 
@@ -41,7 +42,8 @@ struct LightSeen {
   /// The boundary of the visible part: the pieces of positive length, in no particular order. Empty unless lit or in
   /// penumbra. Valid until the next question.
   std::span<const BoundaryPiece> boundary;
-  SightDirection forward;  ///< perpendicular to the light, to its side of the point
+  SightDirection forward;      ///< perpendicular to the light, to its side of the point
+  double before_receiver = 1;  ///< of a receiver's point, the share of the light before its plane; correctly rounded
 };
 
 /// The fast level of visibility: what points see of one area light behind many blockers, in doubles that know their
@@ -67,6 +69,13 @@ class FastVisibility {
   ///
   /// Requires: finite coordinates.
   std::optional<LightSeen> seen_from(const Point3& point);
+
+  /// The same for a point of a receiver: region and fraction of what lies before its plane, after exact_received. The
+  /// boundary is that of all that is visible, also behind the plane.
+  ///
+  /// Returns: nothing also where a blocker may hold the point, or doubles do not tell on which side of the plane the
+  ///          boundary's corners are.
+  std::optional<LightSeen> seen_by(const ReceiverPoint& receiver);
 
  private:
   class Work;

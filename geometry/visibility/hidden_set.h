@@ -11,8 +11,16 @@ namespace gnomon {
 struct HidingCondition {
   enum class Boundary { belongs, excluded };
 
-  ExactPlane plane;   ///< the half-space is where its height is negative
-  Boundary boundary;  ///< whether the plane itself belongs to it
+  ExactPlane plane;      ///< the half-space is where its height is negative
+  Boundary boundary;     ///< whether the plane itself belongs to it
+  ExactPlane then = {};  ///< of what lies in the plane: below this one, if it is one
+};
+
+/// A point, and a step from it that is as short as one likes: the limit of place + e step for e > 0 towards 0.
+/// Without a step the point itself.
+struct LimitPoint {
+  ExactVector place;
+  ExactVector step = {};
 };
 
 /// The points of light that a convex blocker hides from a point p, as an intersection of half-spaces.
@@ -28,6 +36,12 @@ struct HidingCondition {
 ///             only what lies in that plane can be hidden.
 /// A light point that equals p is not asked about.
 std::vector<HidingCondition> hiding_conditions(const ConvexBlocker& blocker, const ExactVector& p);
+
+/// The same as a limit: what is hidden from place + e step for all e > 0 that are small enough.
+///
+/// Definition: every h_i(p) and every plane through p is linear in e. So where a height is 0 its growth along the step
+///             decides, and of what lies in a plane through p the plane's own growth, `then`.
+std::vector<HidingCondition> hiding_conditions(const ConvexBlocker& blocker, const LimitPoint& p);
 
 /// True if a point of light fulfils all conditions.
 bool hides(const std::vector<HidingCondition>& conditions, const ExactVector& l);

@@ -23,17 +23,44 @@ bool is_within(const Box3& box, const Point3& p) {
          p.z <= box.max.z;
 }
 
-std::optional<Visibility> visibility(FastPointVisibility& level, const Point3& p) {
-  const std::optional<Region> region = level.region_from(p);
-  if (!region) return std::nullopt;
-  return Visibility{*region, *region == Region::lit ? 1.0 : 0.0, 0};
+std::optional<Region> seen(FastPointVisibility& level, const Point3& p) {
+  return level.region_from(p);
+}
+
+std::optional<Region> seen(FastPointVisibility& level, const ReceiverPoint& receiver) {
+  return level.region_of(receiver);
 }
 
 template <class Level>
-std::optional<Visibility> visibility(Level& level, const Point3& p) {
-  const auto seen = level.seen_from(p);
-  if (!seen) return std::nullopt;
-  return Visibility{seen->region, seen->fraction, seen->error_bound};
+auto seen(Level& level, const Point3& p) {
+  return level.seen_from(p);
+}
+
+template <class Level>
+auto seen(Level& level, const ReceiverPoint& receiver) {
+  return level.seen_by(receiver);
+}
+
+template <class Looking>
+std::optional<Visibility> visibility(FastPointVisibility& level, const Looking& p) {
+  const std::optional<Region> region = seen(level, p);
+  if (!region) return std::nullopt;
+  return Visibility{*region, *region == Region::lit ? 1.0 : 0.0, 0, *region == Region::unlit ? 0.0 : 1.0};
+}
+
+template <class Level, class Looking>
+std::optional<Visibility> visibility(Level& level, const Looking& p) {
+  const auto part = seen(level, p);
+  if (!part) return std::nullopt;
+  return Visibility{part->region, part->fraction, part->error_bound, part->before_receiver};
+}
+
+Visibility exact_answer(const Light& light, const Obstacles& obstacles, const Point3& p) {
+  return exact_visibility(light, obstacles, p);
+}
+
+Visibility exact_answer(const Light& light, const Obstacles& obstacles, const ReceiverPoint& receiver) {
+  return exact_received(light, obstacles, receiver);
 }
 
 }  // namespace
@@ -59,17 +86,27 @@ FastLevel fast_level(const Light& light, const BlockerSet& blockers) {
 LightVisibility::LightVisibility(Light light, PreparedObstacles obstacles)
     : light_(std::move(light)), obstacles_(std::move(obstacles)), fast_(fast_level(light_, obstacles_.blockers())) {}
 
-std::optional<Visibility> LightVisibility::fast_answer(const Point3& p) {
-  if (obstacles_.may_enclose(p)) return std::nullopt;
+template <class Looking>
+std::optional<Visibility> LightVisibility::fast_answer(const Looking& p) {
+  if (obstacles_.encloses(p)) return std::nullopt;
   const std::optional<Visibility> seen = std::visit([&](auto& level) { return visibility(level, p); }, fast_);
   if (!seen || !(seen->error_bound <= widest_bound)) return std::nullopt;
   return seen;
 }
 
-Visibility LightVisibility::at(const Point3& p) {
+template <class Looking>
+Visibility LightVisibility::answer(const Looking& p) {
   if (const std::optional<Visibility> fast = fast_answer(p)) return *fast;
   ++exact_answers_;
-  return exact_visibility(light_, obstacles_.obstacles(), p);
+  return exact_answer(light_, obstacles_.obstacles(), p);
+}
+
+Visibility LightVisibility::at(const Point3& p) {
+  return answer(p);
+}
+
+Visibility LightVisibility::received(const ReceiverPoint& receiver) {
+  return answer(receiver);
 }
 
 }  // namespace gnomon

@@ -20,10 +20,17 @@ class PreparedObstacles {
   const Obstacles& obstacles() const { return *obstacles_; }
   const BlockerSet& blockers() const { return blockers_; }
 
-  /// True if the point may lie in an enclosure: it lies in the box around one.
-  bool may_enclose(const Point3& p) const;
+  /// True if the point is enclosed: see is_enclosed. Where it lies in the box around no enclosure this is quick.
+  template <class Looking>
+  bool encloses(const Looking& p) const {
+    return may_enclose(place_of(p)) && is_enclosed(*obstacles_, p);
+  }
 
  private:
+  static const Point3& place_of(const Point3& p) { return p; }
+  static const Point3& place_of(const ReceiverPoint& receiver) { return receiver.point; }
+  bool may_enclose(const Point3& p) const;
+
   std::shared_ptr<const Obstacles> obstacles_;
   BlockerSet blockers_;
   std::vector<Box3> enclosures_;
@@ -46,12 +53,16 @@ class LightVisibility {
 
   /// Requires: finite coordinates.
   Visibility at(const Point3& p);
+  Visibility received(const ReceiverPoint& receiver);
 
   /// How many questions went to the exact level.
   std::size_t exact_answers() const { return exact_answers_; }
 
  private:
-  std::optional<Visibility> fast_answer(const Point3& p);
+  template <class Looking>
+  std::optional<Visibility> fast_answer(const Looking& p);
+  template <class Looking>
+  Visibility answer(const Looking& p);
 
   Light light_;
   PreparedObstacles obstacles_;

@@ -23,9 +23,10 @@ OutlineBuilder::OutlineBuilder(const Point3& apex, const LightSide& light, Outli
 /// The outline has two rays and the plane through both, one way and the other. The pyramid's other sides stand upright
 /// on it.
 OutlineBuilder::OutlineBuilder(const Point3& apex, std::span<const Point3, 3> ends, const LightPlane& plane,
-                               Outlines& outlines)
+                               Outlines& outlines, Along along)
     : apex_(apex),
       extent_(Extent::length),
+      along_(along),
       light_corners_(ends.first<2>()),
       depth_corners_(ends),
       plane_(plane),
@@ -216,6 +217,7 @@ Seen OutlineBuilder::seen_by_light(const Outline& outline) {
   }
   std::int8_t* row = outlines_.of_light.data() + light.size() * outline.first;
   bool covers = true;
+  bool runs_along = false;
   for (const Plane& plane : outlines_.planes_of(outline)) {
     bool apart = true;
     bool along = extent_ == Extent::length;
@@ -227,7 +229,9 @@ Seen OutlineBuilder::seen_by_light(const Outline& outline) {
       *row++ = static_cast<std::int8_t>(sign);
     }
     if (apart && !along) return Seen::apart;
+    runs_along = runs_along || along;
   }
+  if (runs_along && along_ == Along::undecided) return Seen::undecided;
   return covers ? Seen::covers : Seen::outlined;
 }
 
@@ -240,7 +244,7 @@ Seen OutlineBuilder::finished(std::uint32_t element) {
   outline.inside = inside_;
   const Seen seen = inside_ ? Seen::outlined : seen_by_light(outline);
   if (seen == Seen::apart) return dropped();
-  if (seen == Seen::covers) return seen;
+  if (seen != Seen::outlined) return seen;
   if (!sides_are_exact_) make_sides_exact(outline);
   outlines_.flats.resize(first_);
   for (const Ray& ray : outlines_.rays_of(outline)) {

@@ -24,6 +24,9 @@ enum class Gathered {
   undecided,  ///< not for this level
 };
 
+/// Whether an outline that runs along a linear light hides it, or is left to the exact level.
+enum class Along { hides, undecided };
+
 /// Appends outlines; the first is the light's.
 ///
 /// Of an area light, what only touches hides nothing that counts. A blocker that touches the plane of a linear light
@@ -36,7 +39,8 @@ class OutlineBuilder {
   /// For a linear light: `ends` are its start, its end and a point off the plane through both and the apex, so that
   /// all three span a plane to measure depth by.
   /// Requires: the ends run counterclockwise.
-  OutlineBuilder(const Point3& apex, std::span<const Point3, 3> ends, const LightPlane& plane, Outlines& outlines);
+  OutlineBuilder(const Point3& apex, std::span<const Point3, 3> ends, const LightPlane& plane, Outlines& outlines,
+                 Along along = Along::hides);
 
   /// Looks at blockers, and stops at one that covers the light.
   Gathered append_blockers(const BlockerSet::Content& blockers, std::span<const std::uint32_t> candidates);
@@ -73,6 +77,7 @@ class OutlineBuilder {
 
   Point3 apex_;
   Extent extent_;
+  Along along_ = Along::hides;
   std::span<const Point3> light_corners_;
   std::span<const Point3> depth_corners_;  ///< three of the light's plane
   const LightPlane& plane_;

@@ -6,6 +6,7 @@
 #include "geometry/spatial/closed_surface.h"
 #include "geometry/spatial/convex_blocker.h"
 #include "geometry/spatial/light.h"
+#include "geometry/visibility/receiver_front.h"
 
 namespace gnomon {
 
@@ -20,6 +21,9 @@ struct Visibility {
   Region region = Region::lit;
   double fraction = 1;     ///< the visible fraction f; 0 where unlit
   double error_bound = 0;  ///< at least |fraction - f|
+  /// Of a receiver's point, the share of the light before the receiver's plane: correctly rounded, or for lights that
+  /// are not flat next to that. Of a bare point 1.
+  double before_receiver = 1;
 
   friend bool operator==(const Visibility&, const Visibility&) = default;
 };
@@ -37,5 +41,22 @@ struct Visibility {
 ///             it may be a neighbour that is as near up to the enclosure.
 /// Cost:       rational arithmetic for every blocker that may reach the light; meant as a reference.
 Visibility exact_visibility(const Light& light, const Obstacles& obstacles, const Point3& p);
+
+/// What a receiver's point receives of a light behind all obstacles together.
+///
+/// Definition: of the light counts what lies strictly before the receiver's plane (L+). Unlit: nothing of it, or none
+///             that has an area or length, or the light shows its back or edge. Else the limit from the front is meant,
+///             from the point moved by e along the receiver's normal, e -> 0. Lit: nothing of L+ is hidden; umbra: all
+///             of it, and inside solids and enclosures. f is the visible part of L+ as a share of the whole light. So
+///             with lights that emit alike everywhere the irradiance is positive exactly where lit or in penumbra.
+/// Degenerate: every position. Blockers wholly in or behind the plane hide nothing, so a plate that is blocker and
+///             receiver does not hide the light from itself. A point on an enclosure's surface is not enclosed.
+/// Exactness:  as above; nothing is moved, signs that are 0 are decided by how they grow along the normal.
+Visibility exact_received(const Light& light, const Obstacles& obstacles, const ReceiverPoint& receiver);
+
+/// True if the point lies strictly inside an enclosure. Of a receiver's point: and none of the enclosure's triangles
+/// lies in the receiver's plane, and it rests on none.
+bool is_enclosed(const Obstacles& obstacles, const Point3& p);
+bool is_enclosed(const Obstacles& obstacles, const ReceiverPoint& receiver);
 
 }  // namespace gnomon

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <vector>
 
 #include "geometry/rounding.h"
@@ -84,20 +85,20 @@ Enclosure square_root(const Rational& number) {
   return {Rational(root, scale), Rational(root + 1, scale)};
 }
 
-/// The share of a facet's area; all polygons lie in its plane, so one component of their normals tells.
-Enclosure visible_share(const SeenFacet& seen) {
-  const ExactVector whole = doubled_area(seen.facet);
+/// The share that polygons have of a facet's area; all lie in its plane, so one component of their normals tells.
+Enclosure share_of(const ExactPolygon& facet, std::span<const ExactPolygon> polygons) {
+  const ExactVector whole = doubled_area(facet);
   const auto component = [&](const ExactVector& v) { return whole.z != 0 ? v.z : whole.y != 0 ? v.y : v.x; };
   std::vector<Rational> shares;
-  for (const ExactPolygon& polygon : seen.visible) {
-    shares.push_back(component(doubled_area(polygon)) / component(whole));
-  }
+  for (const ExactPolygon& polygon : polygons) shares.push_back(component(doubled_area(polygon)) / component(whole));
   return sum_of(shares);
 }
 
-VisibleFraction mean_share(const std::vector<SeenFacet>& facets) {
+/// The mean of a share of every facet, weighed by area.
+template <class Share>
+VisibleFraction mean_share(const std::vector<SeenFacet>& facets, Share share) {
   std::vector<Enclosure> shares;
-  for (const SeenFacet& facet : facets) shares.push_back(visible_share(facet));
+  for (const SeenFacet& facet : facets) shares.push_back(share(facet));
   if (facets.size() == 1) return rounded(shares[0].least, shares[0].most);
   Enclosure visible, whole;
   for (std::size_t i = 0; i < facets.size(); ++i) {
@@ -114,12 +115,25 @@ VisibleFraction mean_share(const std::vector<SeenFacet>& facets) {
 }  // namespace
 
 VisibleFraction visible_fraction(const VisiblePart& part) {
-  if (part.region == Region::lit) return rounded(1);
+  if (part.region == Region::lit) return fraction_before(part);
   if (part.region != Region::penumbra) return rounded(0);
-  if (!part.facets.empty()) return mean_share(part.facets);
+  if (!part.facets.empty()) {
+    return mean_share(part.facets, [](const SeenFacet& seen) { return share_of(seen.facet, seen.visible); });
+  }
   Rational length = 0;
   for (const VisiblePart::Interval& interval : part.intervals) length += interval[1] - interval[0];
   return rounded(length);
+}
+
+VisibleFraction fraction_before(const VisiblePart& part) {
+  if (!part.any_before) return rounded(0);
+  const auto is_whole = [](const SeenFacet& seen) { return seen.before == seen.facet; };
+  if (part.facets.empty()) return rounded(Rational((*part.before)[1] - (*part.before)[0]));
+  if (std::all_of(part.facets.begin(), part.facets.end(), is_whole)) return rounded(1);
+  return mean_share(part.facets, [](const SeenFacet& seen) {
+    if (seen.before.empty()) return Enclosure{};
+    return share_of(seen.facet, {&seen.before, 1});
+  });
 }
 
 }  // namespace gnomon

@@ -21,4 +21,8 @@ struct VisibleFraction {
 ///            more than 64 pieces, whose sum is enclosed to a relative 2^-300 of the largest.
 VisibleFraction visible_fraction(const VisiblePart& part);
 
+/// The share of the light that lies before the receiver: 1 for a bare point. Where the part is lit, its visible
+/// fraction.
+VisibleFraction fraction_before(const VisiblePart& part);
+
 }  // namespace gnomon

@@ -62,16 +62,22 @@ bool contains(const ExactPlane& plane, const ExactPolygon& points) {
   return std::all_of(points.begin(), points.end(), [&](const ExactVector& v) { return plane.height(v) == 0; });
 }
 
+/// The first plane of the condition that does not hold all the points.
+const ExactPlane& deciding_plane(const HidingCondition& condition, const ExactPolygon& points) {
+  return contains(condition.plane, points) ? condition.then : condition.plane;
+}
+
 /// The pieces of a convex polygon that the conditions leave visible: the polygon itself if they hide nothing of it.
 Polygons visible_pieces(const ExactPolygon& polygon, const std::vector<HidingCondition>& conditions) {
   Polygons visible;
   ExactPolygon rest = polygon;
   for (const HidingCondition& condition : conditions) {
-    if (contains(condition.plane, rest)) {
+    const ExactPlane& plane = deciding_plane(condition, rest);
+    if (contains(plane, rest)) {
       if (condition.boundary == Boundary::belongs) continue;
       return {polygon};
     }
-    Cut<ExactPolygon> parts = cut(rest, condition.plane);
+    Cut<ExactPolygon> parts = cut(rest, plane);
     if (parts.below.empty()) return {polygon};
     if (!parts.above.empty()) visible.push_back(std::move(parts.above));
     rest = std::move(parts.below);
@@ -83,11 +89,12 @@ Intervals visible_pieces(const Interval& interval, const Line& line, const std::
   Intervals visible;
   Interval rest = interval;
   for (const HidingCondition& condition : conditions) {
-    if (contains(condition.plane, {line.start, line.end})) {
+    const ExactPlane& plane = deciding_plane(condition, {line.start, line.end});
+    if (contains(plane, {line.start, line.end})) {
       if (condition.boundary == Boundary::belongs) continue;
       return {interval};
     }
-    const Cut<Intervals> parts = cut(rest, line, condition.plane);
+    const Cut<Intervals> parts = cut(rest, line, plane);
     if (parts.below.empty()) return {interval};
     visible.insert(visible.end(), parts.above.begin(), parts.above.end());
     rest = parts.below.front();
@@ -120,20 +127,41 @@ bool shows_face(const ExactPolygon& facet, bool two_sided, const ExactVector& p)
   return two_sided ? seen_from != 0 : seen_from > 0;
 }
 
-Region region_of_point_light(bool is_hidden) {
-  return is_hidden ? Region::umbra : Region::lit;
+Region region_of_point_light(bool is_before, bool is_hidden) {
+  return !is_before ? Region::unlit : is_hidden ? Region::umbra : Region::lit;
 }
+
+Rational length_of(const Intervals& intervals) {
+  Rational length = 0;
+  for (const Interval& interval : intervals) length += interval[1] - interval[0];
+  return length;
+}
+
+/// What of a light counts, given the receiver's plane; without one all of it.
+struct Before {
+  const ExactPlane* plane;
+
+  ExactPolygon of(const ExactPolygon& facet) const { return plane ? cut(facet, *plane).above : facet; }
+  std::optional<Interval> of(const Line& line) const {
+    const Interval all{Rational(0), Rational(1)};
+    if (!plane) return all;
+    if (contains(*plane, {line.start, line.end})) return std::nullopt;
+    const Intervals above = cut(all, line, *plane).above;
+    return above.empty() ? std::nullopt : std::optional(above.front());
+  }
+};
 
 struct VisiblePartOf {
   Hidden hidden;
   const ExactVector& p;
+  Before before;
 
   VisiblePart operator()(const PointLight& light) const {
     const ExactVector l = exact(light.position);
     const bool is_hidden = std::any_of(hidden.begin(), hidden.end(), [&](const auto& conditions) {
       return l == p ? conditions.empty() : hides(conditions, l);
     });
-    return {region_of_point_light(is_hidden), {}, {}};
+    return without_size(!before.plane || before.plane->height(l) > 0, is_hidden);
   }
 
   VisiblePart operator()(const DirectionalLight& light) const {
@@ -141,40 +169,66 @@ struct VisiblePartOf {
     const bool is_hidden = std::any_of(hidden.begin(), hidden.end(), [&](const auto& conditions) {
       return hides_direction(conditions, towards_light);
     });
-    return {region_of_point_light(is_hidden), {}, {}};
+    return without_size(!before.plane || before.plane->slope(towards_light) > 0, is_hidden);
+  }
+
+  static VisiblePart without_size(bool is_before, bool is_hidden) {
+    VisiblePart part;
+    part.region = region_of_point_light(is_before, is_hidden);
+    part.any_before = is_before;
+    return part;
   }
 
   VisiblePart operator()(const LinearLight& light) const {
     const Line line{exact(light.start), exact(light.end)};
-    const Interval all{Rational(0), Rational(1)};
     VisiblePart part;
-    part.intervals = remaining(Intervals{all}, hidden, [&](const Interval& piece, const auto& conditions) {
+    part.before = before.of(line);
+    part.any_before = part.before.has_value();
+    part.region = Region::unlit;
+    if (!part.any_before) return part;
+    part.intervals = remaining(Intervals{*part.before}, hidden, [&](const Interval& piece, const auto& conditions) {
       return visible_pieces(piece, line, conditions);
     });
     std::sort(part.intervals.begin(), part.intervals.end());
-    Rational length = 0;
-    for (const Interval& interval : part.intervals) length += interval[1] - interval[0];
-    part.region = length == 0 ? Region::umbra : length == 1 ? Region::lit : Region::penumbra;
+    const Rational length = length_of(part.intervals);
+    const bool is_whole = length == length_of({*part.before});
+    part.region = length == 0 ? Region::umbra : is_whole ? Region::lit : Region::penumbra;
     return part;
   }
 
   VisiblePart operator()(const AreaLight& light) const {
     const Polygons facets = flat_facets(light.polygon);
     const auto is_seen = [&](const ExactPolygon& facet) { return shows_face(facet, light.two_sided, p); };
-    if (std::none_of(facets.begin(), facets.end(), is_seen)) return {Region::unlit, {}, {}};
+    const bool is_unlit = std::none_of(facets.begin(), facets.end(), is_seen);
+    if (is_unlit && !before.plane) return {Region::unlit, {}, {}};
     VisiblePart part;
+    part.any_before = false;
     bool all_hidden = true;
     bool any_hidden = false;
     for (const ExactPolygon& facet : facets) {
-      Polygons visible = remaining(Polygons{facet}, hidden, [](const ExactPolygon& piece, const auto& conditions) {
-        return visible_pieces(piece, conditions);
-      });
-      all_hidden = all_hidden && visible.empty();
-      any_hidden = any_hidden || visible != Polygons{facet};
-      part.facets.push_back({facet, std::move(visible)});
+      SeenFacet seen{facet, {}, before.of(facet)};
+      if (before.plane && !is_unlit && !is_seen(facet)) seen.before.clear();
+      if (seen.before.empty()) {
+        part.facets.push_back(std::move(seen));
+        continue;
+      }
+      part.any_before = true;
+      if (!is_unlit) look_at(seen);
+      all_hidden = all_hidden && seen.visible.empty();
+      any_hidden = any_hidden || seen.visible != Polygons{seen.before};
+      part.facets.push_back(std::move(seen));
     }
-    part.region = all_hidden ? Region::umbra : any_hidden ? Region::penumbra : Region::lit;
+    part.region = is_unlit || !part.any_before ? Region::unlit
+                  : all_hidden                 ? Region::umbra
+                  : any_hidden                 ? Region::penumbra
+                                               : Region::lit;
     return part;
+  }
+
+  void look_at(SeenFacet& seen) const {
+    seen.visible = remaining(Polygons{seen.before}, hidden, [](const ExactPolygon& piece, const auto& conditions) {
+      return visible_pieces(piece, conditions);
+    });
   }
 };
 
@@ -197,7 +251,12 @@ Polygons flat_facets(const ConvexPolygon& polygon) {
 
 VisiblePart visible_part(const Light& light, std::span<const std::vector<HidingCondition>> hidden,
                          const ExactVector& p) {
-  return std::visit(VisiblePartOf{hidden, p}, light);
+  return std::visit(VisiblePartOf{hidden, p, {nullptr}}, light);
+}
+
+VisiblePart visible_part(const Light& light, std::span<const std::vector<HidingCondition>> hidden, const ExactVector& p,
+                         const ExactPlane& receiver) {
+  return std::visit(VisiblePartOf{hidden, p, {&receiver}}, light);
 }
 
 }  // namespace gnomon

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,7 @@ namespace gnomon {
 struct SeenFacet {
   ExactPolygon facet;                 ///< counterclockwise seen from its front
   std::vector<ExactPolygon> visible;  ///< convex, each with an area, not overlapping; wound like the facet
+  ExactPolygon before = facet;        ///< what of it lies before the receiver; empty if that has no area
 };
 
 /// What a point sees of a light.
@@ -23,8 +25,11 @@ struct VisiblePart {
   using Interval = std::array<Rational, 2>;
 
   Region region = Region::lit;
-  std::vector<SeenFacet> facets;    ///< of an area light: one, or the triangles of a rounded polygon; none if unlit
+  std::vector<SeenFacet>
+      facets;  ///< of an area light: one, or the triangles of a rounded polygon; none if a bare point is unlit
   std::vector<Interval> intervals;  ///< of a linear light: disjoint, each with a length, ascending
+  bool any_before = true;           ///< whether anything of the light lies before the receiver
+  std::optional<Interval> before = Interval{Rational(0), Rational(1)};  ///< of a linear light: what lies there
 };
 
 /// The light without what is hidden from p, up to what has no area (length).
@@ -37,6 +42,15 @@ struct VisiblePart {
 /// Exactness:    rational throughout.
 VisiblePart visible_part(const Light& light, std::span<const std::vector<HidingCondition>> hidden,
                          const ExactVector& p);
+
+/// The same of what lies before a receiver at p: of a light only that is received.
+///
+/// Definition: unlit also where nothing of the light that has an area (length) lies before the plane; else lit if all
+/// of
+///             that is visible, umbra if none of it. Of a rounded polygon only the triangles that show p their face
+///             count, unless none does.
+VisiblePart visible_part(const Light& light, std::span<const std::vector<HidingCondition>> hidden, const ExactVector& p,
+                         const ExactPlane& receiver);
 
 /// The triangles of the fan from the first vertex that have an area, or the polygon's corners where it is flat.
 std::vector<ExactPolygon> flat_facets(const ConvexPolygon& polygon);

@@ -109,10 +109,11 @@ TEST(LightIrradiance, ANormalWithoutDirectionIsRefused) {
   EXPECT_THROW(bulb.at({0, 0, 0}, {0, 0, 0}), PreconditionError);
 }
 
-/// What the exact level says of the light, interval by interval.
+/// What the exact level says of the light before the receiver, interval by interval.
 Irradiance exact_irradiance(const LinearLight& light, const std::vector<ConvexBlocker>& blockers, const Point3& p,
                             const Point3& n) {
-  return linear_irradiance(light, exact_visible_part(light, {blockers, {}}, p).intervals, p, n);
+  return linear_irradiance(
+      light, exact_visible_part(light, {blockers, {}}, ReceiverPoint{p, FacingNormal{n}}).intervals, p, n);
 }
 
 TEST(LightIrradianceAgreement, LinearLightsBehindBlockersMatchTheExactLevel) {

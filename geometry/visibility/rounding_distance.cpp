@@ -1,0 +1,73 @@
+#include "geometry/visibility/rounding_distance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "geometry/visibility/exact_vector.h"
+#include "geometry/visibility/sightline.h"
+
+namespace gnomon::sight {
+namespace {
+
+/// What rounding may have moved a coordinate by, in units of the larger of the sizes involved.
+constexpr double rounding = 8 * unit;
+
+/// By how much each coordinate may be off.
+Vector doubt(std::span<const Point3> corners, const Point3& p) {
+  Vector largest{std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)};
+  for (const Point3& q : corners) {
+    largest = {std::max(largest.x, std::fabs(q.x)), std::max(largest.y, std::fabs(q.y)),
+               std::max(largest.z, std::fabs(q.z))};
+  }
+  return {rounding * largest.x, rounding * largest.y, rounding * largest.z};
+}
+
+/// False only if the point is certainly far from the plane, seen in doubles: a thousand times what rounding does.
+bool may_be_near(std::span<const Point3> corners, const Point3& p, const Vector& off) {
+  const Vector normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
+  const double reach = std::fabs(normal.x) * off.x + std::fabs(normal.y) * off.y + std::fabs(normal.z) * off.z;
+  const double height = std::fabs(dot(normal, p - corners[0]));
+  const double size = size_of(corners[1] - corners[0]) * size_of(corners[2] - corners[0]) * size_of(p - corners[0]);
+  return !(height > 2 * reach + 64 * unit * size);
+}
+
+Rational magnitude(const Rational& a) {
+  return a < 0 ? Rational(-a) : a;
+}
+
+/// How far the height over a plane changes at most within the doubt.
+Rational reach(const ExactVector& normal, const Vector& off) {
+  return magnitude(normal.x) * Rational(off.x) + magnitude(normal.y) * Rational(off.y) +
+         magnitude(normal.z) * Rational(off.z);
+}
+
+}  // namespace
+
+Nearness nearness(std::span<const Point3> corners, const Point3& p) {
+  const Vector off = doubt(corners, p);
+  if (!may_be_near(corners, p, off)) return Nearness::apart;
+  const ExactVector at = exact(p);
+  const ExactPlane plane = plane_through(exact(corners[0]), exact(corners[1]), exact(corners[2]));
+  if (magnitude(plane.height(at)) > reach(plane.normal, off)) return Nearness::apart;
+  Nearness result = Nearness::inside;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const ExactVector a = exact(corners[k]);
+    const ExactVector outward = cross(exact(corners[k + 1 == corners.size() ? 0 : k + 1]) - a, plane.normal);
+    const Rational beyond = dot(outward, at - a);
+    const Rational least = reach(outward, off);
+    if (beyond > least) return Nearness::apart;
+    if (beyond >= -least) result = Nearness::at_side;
+  }
+  return result;
+}
+
+bool faces_alike(std::span<const Point3> corners, const Point3& normal, bool one_sided) {
+  const ExactVector a = plane_through(exact(corners[0]), exact(corners[1]), exact(corners[2])).normal;
+  const ExactVector b = exact(normal);
+  const Rational product = dot(a, b);
+  if (one_sided && product <= 0) return false;
+  return 4 * product * product >= dot(a, a) * dot(b, b);
+}
+
+}  // namespace gnomon::sight

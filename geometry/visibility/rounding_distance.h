@@ -1,0 +1,25 @@
+#pragma once
+
+/// Whether a point is within rounding of a polygon. Private to this folder.
+
+#include <span>
+
+#include "geometry/point.h"
+
+namespace gnomon::sight {
+
+/// How a point lies to a convex polygon.
+enum class Nearness {
+  apart,
+  at_side,  ///< within rounding of it, and of one of its sides
+  inside,   ///< within rounding of its plane and further inside
+};
+
+/// See resting_point. The corners are strictly convex and coplanar.
+Nearness nearness(std::span<const Point3> corners, const Point3& p);
+
+/// True if the planes with the normal and through the polygon's corners make an angle of at most 60 degrees;
+/// `one_sided`: and the polygon's front and the normal are on one side.
+bool faces_alike(std::span<const Point3> corners, const Point3& normal, bool one_sided);
+
+}  // namespace gnomon::sight
