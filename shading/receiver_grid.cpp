@@ -84,29 +84,6 @@ Point2 flattened(const Point3& p, const Point3& normal) {
   return y >= z ? Point2{p.x, p.z} : Point2{p.x, p.y};
 }
 
-std::span<const Point3> points_of(const ConvexBlocker& blocker) {
-  return std::visit([](const auto& shape) { return shape.points(); }, blocker);
-}
-
-/// The plane of a receiver, by three of its corners.
-struct FrontPlane {
-  explicit FrontPlane(const ConvexPolygon& receiver) {
-    for (std::size_t k = 0; k < 3; ++k) corners[k] = receiver.points()[receiver.corners()[k]];
-  }
-  int side(const Point3& p) const { return exact_orientation(corners[0], corners[1], corners[2], p); }
-  bool has_before(std::span<const Point3> points) const {
-    return std::any_of(points.begin(), points.end(), [&](const Point3& p) { return side(p) > 0; });
-  }
-  bool holds_facet(const ClosedSurface& surface) const {
-    return std::any_of(surface.triangles.begin(), surface.triangles.end(), [&](const auto& triangle) {
-      return std::all_of(triangle.begin(), triangle.end(),
-                         [&](std::uint32_t i) { return side(surface.vertices[i]) == 0; });
-    });
-  }
-
-  std::array<Point3, 3> corners;
-};
-
 }  // namespace
 
 ReceiverGrid::ReceiverGrid(const ConvexPolygon& receiver, const std::array<std::uint32_t, 2>& shape) : shape_(shape) {
@@ -145,16 +122,25 @@ bool ReceiverGrid::is_on_receiver(const Point3& point) const {
   return !left || !right;
 }
 
-Obstacles obstacles_before(const ConvexPolygon& receiver, const Obstacles& obstacles) {
-  const FrontPlane plane(receiver);
-  Obstacles result;
-  for (const ConvexBlocker& blocker : obstacles.blockers) {
-    if (plane.has_before(points_of(blocker))) result.blockers.push_back(blocker);
+/// Of differences from the first corner, so that no sum overflows.
+Point3 mean_of_corners(const ConvexPolygon& polygon) {
+  const std::span<const std::uint32_t> corners = polygon.corners();
+  const Point3& first = polygon.points()[corners[0]];
+  Point3 mean = first;
+  const auto count = static_cast<double>(corners.size());
+  for (const std::uint32_t i : corners) {
+    const Point3& p = polygon.points()[i];
+    mean.x += p.x / count - first.x / count;
+    mean.y += p.y / count - first.y / count;
+    mean.z += p.z / count - first.z / count;
   }
-  for (const ClosedSurface& surface : obstacles.enclosures) {
-    if (plane.has_before(surface.vertices) && !plane.holds_facet(surface)) result.enclosures.push_back(surface);
-  }
-  return result;
+  return mean;
+}
+
+Point3 moved_along(const Point3& p, const Point3& normal, double length) {
+  const Vector n = of_size_one(vector(normal));
+  const double step = length / shading::length(n);
+  return {p.x + step * n.x, p.y + step * n.y, p.z + step * n.z};
 }
 
 }  // namespace gnomon

@@ -7,7 +7,6 @@
 
 #include "geometry/point.h"
 #include "geometry/spatial/convex_polygon.h"
-#include "geometry/visibility/visibility.h"
 
 namespace gnomon {
 
@@ -45,12 +44,11 @@ class ReceiverGrid {
   Point3 normal_;
 };
 
-/// The obstacles without those that hide nothing from the receiver's front: blockers wholly behind its plane or in it,
-/// and enclosures that are wholly behind or have a facet in it.
-///
-/// So what stands for the limit from the front is decided by the receiver's plane and not by points, which roundings
-/// move off it. A solid on whose facet the receiver lies does not darken it.
-/// Exactness: signs of orientation determinants of input points.
-Obstacles obstacles_before(const ConvexPolygon& receiver, const Obstacles& obstacles);
+/// The mean of a polygon's corners, rounded.
+Point3 mean_of_corners(const ConvexPolygon& polygon);
+
+/// The point moved by a length along a normal, rounded.
+/// Requires: the normal is not zero.
+Point3 moved_along(const Point3& p, const Point3& normal, double length);
 
 }  // namespace gnomon

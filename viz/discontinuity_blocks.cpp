@@ -9,6 +9,7 @@
 
 #include <algorithm>
 
+#include "geometry/discontinuity/total_area.h"
 #include "viz/cell_arrays.h"
 #include "viz/vtk_cells.h"
 
@@ -63,24 +64,46 @@ CellName cell_of(const DiscontinuityResult& result, std::uint32_t light_id, cons
   return cell;
 }
 
-vtkSmartPointer<vtkPolyData> faces(const ReceiverResult& receiver, const std::vector<Point3>& points) {
+/// The vertices of all pieces, one after the other, and their visible fractions.
+struct SidePoints {
+  std::vector<Point3> points;
+  std::vector<double> fractions;
+};
+
+SidePoints side_points(SideResult side) {
+  SidePoints result;
+  for (const ReceiverResult& piece : side) {
+    const std::vector<Point3> points = piece.mesh.vertices();
+    result.points.insert(result.points.end(), points.begin(), points.end());
+    result.fractions.insert(result.fractions.end(), piece.visible_fractions.begin(), piece.visible_fractions.end());
+  }
+  return result;
+}
+
+vtkSmartPointer<vtkPolyData> faces(SideResult side, const SidePoints& points) {
   vtkNew<vtkCellArray> cells;
   std::vector<CellName> names;
-  for (const ReceiverTriangle& triangle : receiver.mesh.triangles()) {
-    insert_cell(*cells, triangle.vertices);
-    CellName cell;
-    cell.light_id = static_cast<std::int32_t>(receiver.light_id);
-    cell.facet_id = static_cast<std::int32_t>(triangle.face);
-    cell.region = static_cast<std::uint8_t>(receiver.mesh.faces()[triangle.face].region);
-    if (cell.region == 0) cell.visible_fraction = 1;
-    if (cell.region == 2 || cell.region == 3) cell.visible_fraction = 0;
-    names.push_back(cell);
+  vtkIdType first_point = 0;
+  std::size_t first_face = 0;
+  for (const ReceiverResult& piece : side) {
+    for (const ReceiverTriangle& triangle : piece.mesh.triangles()) {
+      insert_cell(*cells, triangle.vertices, first_point);
+      CellName cell;
+      cell.light_id = static_cast<std::int32_t>(piece.light_id);
+      cell.facet_id = static_cast<std::int32_t>(first_face + triangle.face);
+      cell.region = static_cast<std::uint8_t>(piece.mesh.faces()[triangle.face].region);
+      if (cell.region == 0) cell.visible_fraction = 1;
+      if (cell.region == 2 || cell.region == 3) cell.visible_fraction = 0;
+      names.push_back(cell);
+    }
+    first_point += static_cast<vtkIdType>(piece.mesh.vertex_count());
+    first_face += piece.mesh.faces().size();
   }
   auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(vtk_points(points));
+  data->SetPoints(vtk_points(points.points));
   data->SetPolys(cells);
   add_cell_arrays(*data, names);
-  add_fractions(*data, receiver.visible_fractions);
+  add_fractions(*data, points.fractions);
   return data;
 }
 
@@ -94,26 +117,31 @@ std::uint32_t leading_name(const ReceiverMesh& mesh, const MeshEdge& edge) {
   });
 }
 
-vtkSmartPointer<vtkPolyData> edges(const DiscontinuityResult& result, const ReceiverResult& receiver,
-                                   const std::vector<Point3>& points, std::vector<std::string>& event_names) {
+vtkSmartPointer<vtkPolyData> edges(const DiscontinuityResult& result, SideResult side, const SidePoints& points,
+                                   std::vector<std::string>& event_names) {
   vtkNew<vtkCellArray> cells;
   std::vector<CellName> names;
   EventCells events;
-  for (const EventName& name : receiver.mesh.names()) {
-    event_names.push_back(event_text(result, receiver.light, receiver.receiver, name));
-  }
-  for (const MeshEdge& edge : receiver.mesh.edges()) {
-    insert_cell(*cells, std::array{edge.source, edge.target});
-    const std::uint32_t name = leading_name(receiver.mesh, edge);
-    names.push_back(cell_of(result, receiver.light_id, receiver.mesh.names()[name]));
-    events.of_cell.push_back(static_cast<std::int32_t>(name));
+  vtkIdType first_point = 0;
+  for (const ReceiverResult& piece : side) {
+    const std::size_t first_name = event_names.size();
+    for (const EventName& name : piece.mesh.names()) {
+      event_names.push_back(event_text(result, piece.light, piece.receiver, name));
+    }
+    for (const MeshEdge& edge : piece.mesh.edges()) {
+      insert_cell(*cells, std::array{edge.source, edge.target}, first_point);
+      const std::uint32_t name = leading_name(piece.mesh, edge);
+      names.push_back(cell_of(result, piece.light_id, piece.mesh.names()[name]));
+      events.of_cell.push_back(static_cast<std::int32_t>(first_name + name));
+    }
+    first_point += static_cast<vtkIdType>(piece.mesh.vertex_count());
   }
   auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(vtk_points(points));
+  data->SetPoints(vtk_points(points.points));
   data->SetLines(cells);
   add_cell_arrays(*data, names);
   add_event_array(*data, events);
-  add_fractions(*data, receiver.visible_fractions);
+  add_fractions(*data, points.fractions);
   return data;
 }
 
@@ -121,11 +149,11 @@ Fields basic_fields(const DiscontinuityResult& result) {
   return leaf_fields(ShadowResult{result.scene, result.clip_box, {}}, false);
 }
 
-Fields receiver_fields(const DiscontinuityResult& result, const ReceiverResult& receiver) {
+Fields receiver_fields(const DiscontinuityResult& result, SideResult side) {
   Fields fields = basic_fields(result);
-  fields.push_back({"light", std::vector<std::string>{receiver.light}});
-  fields.push_back({"receiver", std::vector<std::string>{receiver.receiver}});
-  const auto areas = receiver.mesh.areas();
+  fields.push_back({"light", std::vector<std::string>{side.front().light}});
+  fields.push_back({"receiver", std::vector<std::string>{side.front().side}});
+  const auto areas = areas_of(side);
   for (std::size_t k = 0; k < areas.size(); ++k) {
     const std::string region(name(static_cast<ReceiverRegion>(k)));
     fields.push_back({region + "_area", std::vector<double>{areas[k].nearest}});
@@ -134,18 +162,17 @@ Fields receiver_fields(const DiscontinuityResult& result, const ReceiverResult& 
   return fields;
 }
 
-void append_receiver(std::vector<Block>& blocks, const DiscontinuityResult& result, const ReceiverResult& receiver) {
-  const std::vector<Point3> points = receiver.mesh.vertices();
-  const Fields fields = receiver_fields(result, receiver);
-  append_block(
-      blocks,
-      {{"receivers", receiver.light, receiver.receiver, "faces"}, "receiver_faces", fields, faces(receiver, points)});
+void append_receiver(std::vector<Block>& blocks, const DiscontinuityResult& result, SideResult side) {
+  const SidePoints points = side_points(side);
+  const Fields fields = receiver_fields(result, side);
+  const std::string& light = side.front().light;
+  const std::string& receiver = side.front().side;
+  append_block(blocks, {{"receivers", light, receiver, "faces"}, "receiver_faces", fields, faces(side, points)});
   std::vector<std::string> event_names;
-  auto lines = edges(result, receiver, points, event_names);
+  auto lines = edges(result, side, points, event_names);
   Fields edge_fields = fields;
   edge_fields.push_back({"event_names", std::move(event_names)});
-  append_block(blocks,
-               {{"receivers", receiver.light, receiver.receiver, "edges"}, "receiver_edges", edge_fields, lines});
+  append_block(blocks, {{"receivers", light, receiver, "edges"}, "receiver_edges", edge_fields, lines});
 }
 
 void append_surfaces(std::vector<Block>& blocks, const DiscontinuityResult& result, const SurfaceResult& light,
@@ -185,7 +212,7 @@ void append_surfaces(std::vector<Block>& blocks, const DiscontinuityResult& resu
 std::vector<Block> discontinuity_blocks(const DiscontinuityResult& result) {
   std::vector<Block> blocks;
   append_scene_blocks(blocks, ShadowResult{result.scene, result.clip_box, {}});
-  for (const ReceiverResult& receiver : result.receivers) append_receiver(blocks, result, receiver);
+  for (const SideResult side : sides_of(result.receivers)) append_receiver(blocks, result, side);
   for (const SurfaceResult& light : result.surfaces) {
     for (const int order : {0, 1, 2}) append_surfaces(blocks, result, light, order);
   }
@@ -195,6 +222,31 @@ std::vector<Block> discontinuity_blocks(const DiscontinuityResult& result) {
 }  // namespace gnomon::viz
 
 namespace gnomon {
+
+std::vector<SideResult> sides_of(std::span<const ReceiverResult> receivers) {
+  std::vector<SideResult> sides;
+  for (std::size_t first = 0; first < receivers.size();) {
+    std::size_t last = first;
+    while (last < receivers.size() && receivers[last].side == receivers[first].side &&
+           receivers[last].light_id == receivers[first].light_id) {
+      ++last;
+    }
+    sides.push_back(receivers.subspan(first, last - first));
+    first = last;
+  }
+  return sides;
+}
+
+std::array<RegionArea, receiver_region_count> areas_of(SideResult side) {
+  std::array<std::vector<RegionArea>, receiver_region_count> of_pieces;
+  for (const ReceiverResult& piece : side) {
+    const auto areas = piece.mesh.areas();
+    for (std::size_t k = 0; k < areas.size(); ++k) of_pieces[k].push_back(areas[k]);
+  }
+  std::array<RegionArea, receiver_region_count> sums;
+  for (std::size_t k = 0; k < sums.size(); ++k) sums[k] = total_area(of_pieces[k]);
+  return sums;
+}
 
 std::string element_text(const DiscontinuityResult& result, const std::string& light, const std::string& receiver,
                          const EventElement& element) {

@@ -8,10 +8,13 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <span>
+#include <utility>
 #include <variant>
 
 #include "geometry/kernel.h"
 #include "geometry/scene/convex_parts.h"
+#include "geometry/scene/receiver_facets.h"
 #include "viz/block.h"
 #include "viz/cell_arrays.h"
 #include "viz/vtk_cells.h"
@@ -160,6 +163,23 @@ Fields light_fields(const ShadowResult& result, const SceneLight& light) {
   return fields;
 }
 
+/// One block of all facets of a receiver, or of one side of it.
+void append_receiver_block(std::vector<Block>& blocks, const ShadowResult& result, ReceiverGroup side) {
+  std::vector<Point3> points;
+  Facets facets;
+  for (const SceneReceiver& facet : side) {
+    Facets own = one_polygon(facet.shape.points().size());
+    for (std::uint32_t& index : own[0]) index += static_cast<std::uint32_t>(points.size());
+    facets.push_back(std::move(own[0]));
+    points.insert(points.end(), facet.shape.points().begin(), facet.shape.points().end());
+  }
+  const std::string& name = side.front().side;
+  append_block(blocks, {{"scene", "receivers", name},
+                        side.size() == 1 ? "receiver" : "receiver_mesh",
+                        element_fields(result, name, side.size() == 1 ? "polygon" : "mesh"),
+                        polygons(points, facets, CellName{})});
+}
+
 }  // namespace
 
 void append_scene_blocks(std::vector<Block>& blocks, const ShadowResult& result) {
@@ -183,12 +203,7 @@ void append_scene_blocks(std::vector<Block>& blocks, const ShadowResult& result)
                           element_fields(result, blocker.name, shape_name(blocker.shape)),
                           std::visit(BlockerData{cell}, blocker.shape)});
   }
-  for (const SceneReceiver& receiver : scene.receivers) {
-    append_block(blocks, {{"scene", "receivers", receiver.name},
-                          "receiver",
-                          element_fields(result, receiver.name, "polygon"),
-                          BlockerData{CellName{}}(receiver.shape)});
-  }
+  for (const ReceiverGroup side : receiver_sides(scene.receivers)) append_receiver_block(blocks, result, side);
 }
 
 }  // namespace gnomon::viz

@@ -59,7 +59,7 @@ TextRow element_row(const RecognisedElement& element) {
   std::string counts;
   if (element.vertices) counts = std::to_string(*element.vertices) + (*element.vertices == 1 ? " vertex" : " vertices");
   if (element.holes) counts += ", " + counted(*element.holes, "hole");
-  if (element.facets) counts += ", " + counted(*element.facets, "facet");
+  if (element.facets) counts += (counts.empty() ? "" : ", ") + counted(*element.facets, "facet");
   if (element.closed) counts += *element.closed ? ", closed" : ", open";
   TextRow row{element.name, element.shape, counts};
   if (element.two_sided) row.back() += *element.two_sided ? ", two-sided" : ", one-sided";

@@ -145,6 +145,14 @@ std::array<std::uint32_t, N> whole_numbers(const std::string& option, const std:
 template std::array<std::uint32_t, 2> whole_numbers<2>(const std::string&, const std::string&, const std::string&);
 template std::array<std::uint32_t, 3> whole_numbers<3>(const std::string&, const std::string&, const std::string&);
 
+double finite_value(const std::string& option, const std::string& text, const std::string& expected) {
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error == std::errc() && stop == end && std::isfinite(value)) return value;
+  throw UsageError(option + ' ' + text + ": expected " + expected);
+}
+
 std::string_view nearest_word(std::string_view word, std::span<const std::string_view> candidates) {
   return *std::min_element(candidates.begin(), candidates.end(),
                            [word](auto a, auto b) { return edit_distance(word, a) < edit_distance(word, b); });

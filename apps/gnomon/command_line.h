@@ -72,6 +72,11 @@ template <std::size_t N>
 std::array<std::uint32_t, N> whole_numbers(const std::string& option, const std::string& text,
                                            const std::string& expected);
 
+/// The finite number that the text holds.
+///
+/// Throws: UsageError for another text.
+double finite_value(const std::string& option, const std::string& text, const std::string& expected);
+
 /// The candidate that differs from `word` by the fewest letters.
 ///
 /// Requires: at least one candidate.

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <iostream>
 #include <optional>
@@ -21,6 +22,7 @@
 #include "apps/gnomon/scene_obstacles.h"
 #include "apps/gnomon/text.h"
 #include "geometry/scene/scene_reader.h"
+#include "geometry/visibility/resting_point.h"
 #include "shading/light_irradiance.h"
 #include "shading/receiver_grid.h"
 #include "shading/unit_conversion.h"
@@ -32,6 +34,7 @@ struct IrradianceOptions : CommonOptions {
   std::string at;
   std::string on;
   std::string shape;
+  std::string lift;
   std::string out;
 };
 
@@ -40,10 +43,16 @@ void add_options(CLI::App& app, IrradianceOptions& options) {
   add_text(app, "--at", options.at, "POINTS.csv|-",
            "Receivers as CSV with columns x,y,z,nx,ny,nz, or six numbers a line without a header; '-' reads them from\n"
            "stdin. Commas, semicolons, tabs or blanks separate; further columns are passed through");
-  add_text(app, "--on", options.on, "RECEIVER", "Points spread over this receiver of the scene, seen from its front");
-  add_text(app, "--shape", options.shape, "nu,nv",
-           "With --on: the number of points along the receiver's first side and at right angles to it. They are the\n"
-           "middles of equal cells of the smallest such rectangle; those beside the receiver are left out");
+  add_text(
+      app, "--on", options.on, "RECEIVER",
+      "Points on this receiver of the scene, seen from its front; of a mesh on every facet. They are asked on the\n"
+      "facet itself, whatever rounding does to them");
+  add_text(
+      app, "--shape", options.shape, "nu,nv",
+      "With --on: the number of points along a facet's first side and at right angles to it. They are the middles\n"
+      "of equal cells of the smallest such rectangle; those beside the facet are left out. Without it one point,\n"
+      "the mean of the corners");
+  add_text(app, "--lift", options.lift, "H", "Move every point by this length along its normal first");
   add_text(app, "--out", options.out, "FILE", "Write the CSV to this file (default: to stdout)");
   add_json_option(app, options);
   add_text(app, "--light", options.light, "NAME", "Only this light");
@@ -52,8 +61,9 @@ void add_options(CLI::App& app, IrradianceOptions& options) {
   app.footer(
       "Each row of the result is a row of the input, or x,y,z,nx,ny,nz of a point on the receiver, followed by\n"
       "light,irradiance,error_bound. Irradiance is in W/m^2 whatever the scene's unit of length, and clipped by the\n"
-      "receiver's horizon; |irradiance - exact| is at most error_bound. A malformed line is reported with its number\n"
-      "and left out; the exit code is 3 then.\n\n"
+      "receiver's horizon; |irradiance - exact| is at most error_bound. It is positive exactly where gnomon regions\n"
+      "tells lit or penumbra. A facet right under a point, up to rounding, does not hide the light from it. A\n"
+      "malformed line is reported with its number and left out; the exit code is 3 then.\n\n"
       "Examples:\n"
       "  gnomon irradiance examples/figure_4_22.scene.json --at examples/receivers.csv\n"
       "  gnomon irradiance examples/figure_4_22.scene.json --on floor --shape 20,20 --json -\n");
@@ -62,18 +72,28 @@ void add_options(CLI::App& app, IrradianceOptions& options) {
 /// One set of lights per thread: each keeps memory for the next question.
 using LightsOfThreads = tbb::enumerable_thread_specific<std::vector<LightIrradiance>>;
 
-std::vector<LitRow> lit_rows(std::vector<TableRow> batch, const std::vector<const SceneLight*>& chosen,
-                             const LengthUnit& unit, LightsOfThreads& lights, tbb::task_arena& threads) {
+/// Where the rows come from.
+struct Receivers {
+  std::string file;                                           ///< as messages call it
+  std::string header;                                         ///< the columns that the result repeats
+  std::function<std::vector<TableRow>()> next_batch;          ///< none at the end
+  std::function<ReceiverPoint(const PointRow&)> receiver_of;  ///< any number of threads may ask
+  std::size_t count = 0;                                      ///< of rows; 0 if nobody knows
+};
+
+std::vector<LitRow> lit_rows(const Receivers& receivers, std::vector<TableRow> batch,
+                             const std::vector<const SceneLight*>& chosen, const LengthUnit& unit,
+                             LightsOfThreads& lights, tbb::task_arena& threads) {
   std::vector<LitRow> rows;
   for (TableRow& row : batch) rows.push_back({std::move(row), {}});
   for_all(rows.size(), threads, [&](std::size_t i) {
     const auto* row = std::get_if<PointRow>(&rows[i].row);
     if (!row) return;
-    const auto& p = row->coordinates;
-    const auto& n = row->normal;
+    const ReceiverPoint receiver = receivers.receiver_of(*row);
+    const auto& [x, y, z] = row->normal;
     std::vector<LightIrradiance>& local = lights.local();
     for (std::size_t l = 0; l < local.size(); ++l) {
-      const Irradiance e = local[l].at({p[0], p[1], p[2]}, {n[0], n[1], n[2]});
+      const Irradiance e = local[l].received(receiver, {x, y, z});
       rows[i].received.push_back(per_square_metre(e, chosen[l]->shape, unit));
     }
   });
@@ -103,18 +123,9 @@ struct IrradianceOutputs {
   }
 };
 
-/// Where the rows come from.
-struct Receivers {
-  std::string file;                                   ///< as messages call it
-  std::string header;                                 ///< the columns that the result repeats
-  std::function<std::vector<TableRow>()> next_batch;  ///< none at the end
-  Obstacles obstacles;
-  std::size_t count = 0;  ///< of rows; 0 if nobody knows
-};
-
-ExitCode write_irradiance(const IrradianceOptions& options, const Scene& scene, Receivers receivers) {
+ExitCode write_irradiance(const IrradianceOptions& options, const Scene& scene, const PreparedObstacles& obstacles,
+                          const Receivers& receivers) {
   const std::vector<const SceneLight*> chosen = chosen_lights(scene.lights, options.light);
-  const PreparedObstacles obstacles(std::move(receivers.obstacles));
   LightsOfThreads lights([&] {
     std::vector<LightIrradiance> result;
     for (const SceneLight* light : chosen) result.emplace_back(light->shape, light->strength, obstacles);
@@ -131,7 +142,7 @@ ExitCode write_irradiance(const IrradianceOptions& options, const Scene& scene, 
   std::size_t malformed_lines = 0;
   for (auto batch = receivers.next_batch(); !batch.empty(); batch = receivers.next_batch()) {
     const std::size_t count = batch.size();
-    for (const LitRow& lit : lit_rows(std::move(batch), chosen, unit, lights, threads)) {
+    for (const LitRow& lit : lit_rows(receivers, std::move(batch), chosen, unit, lights, threads)) {
       if (outputs.csv) outputs.csv->add(lit);
       if (outputs.json) outputs.json->add(lit);
       const auto* malformed = std::get_if<MalformedRow>(&lit.row);
@@ -145,27 +156,46 @@ ExitCode write_irradiance(const IrradianceOptions& options, const Scene& scene, 
   return malformed_lines == 0 ? ExitCode::done : ExitCode::bad_scene;
 }
 
+/// The length of --lift, 0 without it.
+double lift_of(const IrradianceOptions& options) {
+  return options.lift.empty() ? 0 : finite_value("--lift", options.lift, "a length, such as 0.01");
+}
+
+/// The receiver's point of a row, lifted along its normal.
+ReceiverPoint lifted_point(const PreparedObstacles& obstacles, const PointRow& row, double lift) {
+  const Point3 p{row.coordinates[0], row.coordinates[1], row.coordinates[2]};
+  const Point3 n{row.normal[0], row.normal[1], row.normal[2]};
+  return resting_point(obstacles, lift == 0 ? p : moved_along(p, n, lift), n);
+}
+
 ExitCode at_points(const IrradianceOptions& options, const Scene& scene) {
+  const PreparedObstacles obstacles = scene_obstacles(scene);
+  const double lift = lift_of(options);
   return with_points(options.at, [&](std::istream& stream, const std::string& file) {
     PointTable table(stream, file, TableColumns::points_with_normals);
-    return write_irradiance(options, scene,
-                            {file, table.header(), [&] { return next_rows(table); }, obstacles_of(scene), 0});
+    const auto receiver_of = [&](const PointRow& row) { return lifted_point(obstacles, row, lift); };
+    return write_irradiance(options, scene, obstacles,
+                            {file, table.header(), [&] { return next_rows(table); }, receiver_of, 0});
   });
 }
 
 ExitCode on_receiver(const IrradianceOptions& options, const Scene& scene) {
-  require_name("--on", "receiver", options.on, scene.receivers);
-  const auto receiver = std::find_if(scene.receivers.begin(), scene.receivers.end(),
-                                     [&](const SceneReceiver& r) { return r.name == options.on; });
-  if (receiver == scene.receivers.end()) {
-    throw UsageError("--on: receiver '" + options.on + "' is taken as parts; name one of them, such as '" + options.on +
-                     "#0'");
+  require_receiver("--on", options.on, scene.receivers);
+  const PreparedObstacles obstacles = scene_obstacles(scene);
+  std::optional<std::array<std::uint32_t, 2>> shape;
+  if (!options.shape.empty()) shape = whole_numbers<2>("--shape", options.shape, "nu,nv");
+  if (!shape && std::count_if(scene.receivers.begin(), scene.receivers.end(),
+                              [&](const SceneReceiver& r) { return r.is_called(options.on); }) == 1) {
+    throw UsageError("--on " + options.on + ": expected --shape nu,nv, as the receiver has one facet");
   }
-  const ReceiverGrid grid(receiver->shape, whole_numbers<2>("--shape", options.shape, "nu,nv"));
-  std::size_t next = 0;
-  return write_irradiance(options, scene,
-                          {receiver->name, "x,y,z,nx,ny,nz", [&] { return next_rows(grid, next); },
-                           obstacles_before(receiver->shape, obstacles_of(scene)), grid.size()});
+  ReceiverRows rows(scene, options.on, shape);
+  const double lift = lift_of(options);
+  const OwnBlockers own(obstacles.obstacles());
+  const auto receiver_of = [&](const PointRow& row) {
+    return lift == 0 ? rows.receiver_of(row, own) : lifted_point(obstacles, row, lift);
+  };
+  return write_irradiance(options, scene, obstacles,
+                          {options.on, rows.header(), [&] { return rows.next(); }, receiver_of, rows.count()});
 }
 
 }  // namespace
@@ -179,7 +209,7 @@ ExitCode irradiance_command(Arguments arguments) {
   add_options(app, options);
   if (!parse_arguments(app, arguments)) return ExitCode::done;
   if (options.at.empty() == options.on.empty()) throw UsageError("expected either --at POINTS.csv or --on RECEIVER");
-  if (options.on.empty() != options.shape.empty()) throw UsageError("--on RECEIVER and --shape nu,nv go together");
+  if (options.on.empty() && !options.shape.empty()) throw UsageError("--shape nu,nv goes with --on RECEIVER");
   const Scene scene = scene_file_with_warnings(options.scene);
   if (scene.dimension != 3) {
     throw UnsupportedError(scene.source + ": irradiance in scenes of dimension 2 is not available in this version");

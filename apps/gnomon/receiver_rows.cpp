@@ -1,28 +1,100 @@
 #include "apps/gnomon/receiver_rows.h"
 
-#include <string>
+#include <algorithm>
 
 #include "apps/gnomon/text.h"
+#include "geometry/scene/receiver_facets.h"
+#include "geometry/spatial/polygon_checks.h"
 
 namespace gnomon {
 namespace {
 
-PointRow row_of(const Point3& p, const Point3& n, std::size_t line) {
-  std::string text;
-  for (const double number : {p.x, p.y, p.z, n.x, n.y, n.z}) text += (text.empty() ? "" : ",") + number_text(number);
-  return {line, text, {p.x, p.y, p.z}, {n.x, n.y, n.z}};
+constexpr std::size_t most_rows = 1024;
+
+/// True of the thin solid between vertices that are coplanar but for rounding.
+bool stands_for_polygon(const ConvexSolid& solid) {
+  const auto plane = polygon_plane(solid.points());
+  return plane && plane->within_tolerance;
 }
 
 }  // namespace
 
-std::vector<TableRow> next_rows(const ReceiverGrid& grid, std::size_t& next) {
-  constexpr std::size_t most = 1024;
+OwnBlockers::OwnBlockers(const Obstacles& obstacles) {
+  for (std::uint32_t b = 0; b < obstacles.blockers.size(); ++b) {
+    const auto* solid = std::get_if<ConvexSolid>(&obstacles.blockers[b]);
+    if (!solid || !stands_for_polygon(*solid)) continue;
+    for (const Point3& p : solid->points()) {
+      std::vector<std::uint32_t>& solids = solids_at_[{p.x, p.y, p.z}];
+      if (solids.empty() || solids.back() != b) solids.push_back(b);
+    }
+  }
+}
+
+std::vector<std::uint32_t> OwnBlockers::of(const ConvexPolygon& facet) const {
+  std::vector<std::uint32_t> common;
+  bool first = true;
+  for (const Point3& p : facet.points()) {
+    const auto found = solids_at_.find({p.x, p.y, p.z});
+    if (found == solids_at_.end()) return {};
+    if (first) common = found->second;
+    first = false;
+    std::erase_if(common,
+                  [&](std::uint32_t b) { return !std::binary_search(found->second.begin(), found->second.end(), b); });
+  }
+  return common;
+}
+
+ReceiverRows::ReceiverRows(const Scene& scene, const std::string& name,
+                           const std::optional<std::array<std::uint32_t, 2>>& shape)
+    : shape_(shape), cells_(shape ? std::size_t{(*shape)[0]} * (*shape)[1] : 1) {
+  for (const SceneReceiver& receiver : scene.receivers) {
+    if (receiver.is_called(name)) facets_.push_back(&receiver);
+  }
+}
+
+std::string ReceiverRows::header() const {
+  return facets_.size() == 1 ? "x,y,z,nx,ny,nz" : "x,y,z,nx,ny,nz,facet";
+}
+
+void ReceiverRows::start_facet() {
+  const std::array<std::uint32_t, 2> one = {1, 1};
+  grid_.emplace(facets_[next_ / cells_]->shape, shape_ ? *shape_ : one);
+}
+
+void ReceiverRows::append_row(std::vector<TableRow>& rows) const {
+  const SceneReceiver& facet = *facets_[next_ / cells_];
+  const Point3 p = shape_ ? grid_->point(next_ % cells_) : mean_of_corners(facet.shape);
+  if (shape_ && !grid_->is_on_receiver(p)) return;
+  const Point3 n = grid_->normal();
+  std::string text;
+  for (const double number : {p.x, p.y, p.z, n.x, n.y, n.z}) text += (text.empty() ? "" : ",") + number_text(number);
+  if (facets_.size() > 1) text += ',' + csv_field(facet.name);
+  rows.emplace_back(PointRow{next_ + 1, text, {p.x, p.y, p.z}, {n.x, n.y, n.z}});
+}
+
+std::vector<TableRow> ReceiverRows::next() {
   std::vector<TableRow> rows;
-  for (; rows.size() < most && next < grid.size(); ++next) {
-    const Point3 p = grid.point(next);
-    if (grid.is_on_receiver(p)) rows.emplace_back(row_of(p, grid.normal(), next + 1));
+  for (; rows.size() < most_rows && next_ < count(); ++next_) {
+    if (next_ % cells_ == 0) start_facet();
+    append_row(rows);
   }
   return rows;
+}
+
+ReceiverPoint ReceiverRows::receiver_of(const PointRow& row, const OwnBlockers& own) const {
+  const ConvexPolygon& facet = facets_[(row.line - 1) / cells_]->shape;
+  const auto& [x, y, z] = row.coordinates;
+  return {{x, y, z}, facet_front(facet), own.of(facet)};
+}
+
+void require_receiver(const std::string& option, const std::string& name, const std::vector<SceneReceiver>& receivers) {
+  if (name.empty()) return;
+  if (std::any_of(receivers.begin(), receivers.end(), [&](const auto& r) { return r.is_called(name); })) return;
+  std::string known;
+  for (const ReceiverGroup side : receiver_sides(receivers)) {
+    known += (known.empty() ? "'" : ", '") + side.front().side + "'";
+  }
+  throw UsageError(option + ": the scene has no receiver '" + name + "'; it has " + (known.empty() ? "none" : known));
 }
 
 }  // namespace gnomon

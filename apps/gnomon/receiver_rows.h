@@ -1,15 +1,66 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "apps/gnomon/point_batches.h"
+#include "geometry/scene/scene.h"
+#include "geometry/visibility/visibility.h"
 #include "shading/receiver_grid.h"
 
 namespace gnomon {
 
-/// The next rows of a table x,y,z,nx,ny,nz of the grid's points that lie on the receiver, at most 1,024. `next` is the
-/// index of the point to begin with, and is moved on. None at the end.
-std::vector<TableRow> next_rows(const ReceiverGrid& grid, std::size_t& next);
+/// Which thin solids have the corners of a facet among their vertices: they stand for facets whose vertices are not
+/// exactly coplanar, and must not hide the light from them.
+class OwnBlockers {
+ public:
+  explicit OwnBlockers(const Obstacles& obstacles);
+  std::vector<std::uint32_t> of(const ConvexPolygon& facet) const;
+
+ private:
+  using Place = std::array<double, 3>;
+  std::map<Place, std::vector<std::uint32_t>> solids_at_;  ///< ascending
+};
+
+/// Points on the facets of a receiver, facet by facet, as rows of a table.
+class ReceiverRows {
+ public:
+  /// `shape` tells the number of points of a ReceiverGrid on each facet; without one a facet has one point, the mean of
+  /// its corners. The scene outlives the rows.
+  /// Requires: the scene has a receiver that is called so.
+  ReceiverRows(const Scene& scene, const std::string& name, const std::optional<std::array<std::uint32_t, 2>>& shape);
+
+  /// x,y,z,nx,ny,nz, and of several facets their names.
+  std::string header() const;
+
+  /// The next rows, at most 1,024: as many are held in memory at a time. None at the end.
+  std::vector<TableRow> next();
+
+  /// The row's point as one of its facet.
+  ReceiverPoint receiver_of(const PointRow& row, const OwnBlockers& own) const;
+
+  /// Of all points that are looked at.
+  std::size_t count() const { return facets_.size() * cells_; }
+
+ private:
+  void start_facet();
+  void append_row(std::vector<TableRow>& rows) const;
+
+  std::vector<const SceneReceiver*> facets_;
+  std::optional<std::array<std::uint32_t, 2>> shape_;
+  std::size_t cells_ = 1;  ///< of each facet
+  std::size_t next_ = 0;
+  std::optional<ReceiverGrid> grid_;  ///< of the facet of the next row
+};
+
+/// Accepts what a receiver, one of its sides or facets is called.
+///
+/// Throws: UsageError that names the option, the name, and the receivers there are.
+void require_receiver(const std::string& option, const std::string& name, const std::vector<SceneReceiver>& receivers);
 
 }  // namespace gnomon

@@ -15,6 +15,7 @@
 #include "apps/gnomon/scene_input.h"
 #include "apps/gnomon/shadow_json.h"
 #include "apps/gnomon/text.h"
+#include "geometry/discontinuity/total_area.h"
 #include "geometry/scene/scene_reader.h"
 #include "viz/discontinuity_writer.h"
 
@@ -46,9 +47,9 @@ void add_options(CLI::App& app, ReceiversOptions& options) {
       "  gnomon receivers examples/figure_4_22.scene.json --out floor_mesh --json -\n");
 }
 
-nlohmann::ordered_json areas_json(const ReceiverMesh& mesh) {
+nlohmann::ordered_json areas_json(SideResult side) {
   nlohmann::ordered_json json;
-  const auto areas = mesh.areas();
+  const auto areas = areas_of(side);
   for (std::size_t k = 0; k < areas.size(); ++k) {
     nlohmann::ordered_json area = {{"double", areas[k].nearest}};
     if (areas[k].exact) area["exact"] = *areas[k].exact;
@@ -57,22 +58,46 @@ nlohmann::ordered_json areas_json(const ReceiverMesh& mesh) {
   return json;
 }
 
+/// Sums over the pieces of a side.
+struct SideCounts {
+  double area = 0;
+  std::size_t faces = 0;
+  std::size_t edges = 0;
+  std::size_t vertices = 0;
+  std::size_t regions = 0;
+};
+
+SideCounts counts_of(SideResult side) {
+  SideCounts counts;
+  std::vector<RegionArea> areas;
+  for (const ReceiverResult& piece : side) {
+    areas.push_back(piece.mesh.area());
+    counts.faces += piece.mesh.faces().size();
+    counts.edges += piece.mesh.edges().size();
+    counts.vertices += piece.mesh.vertex_count();
+    counts.regions += piece.mesh.regions().size();
+  }
+  counts.area = total_area(areas).nearest;
+  return counts;
+}
+
 nlohmann::ordered_json receivers_json(const DiscontinuityResult& result) {
   nlohmann::ordered_json document = {{"schema", "gnomon/receivers/1"},
                                      {"scene", result.scene->source},
                                      {"length_unit", result.scene->length_unit},
                                      {"area_unit", result.scene->length_unit + "^2"},
                                      {"receivers", nlohmann::ordered_json::array()}};
-  for (const ReceiverResult& receiver : result.receivers) {
-    const ReceiverMesh& mesh = receiver.mesh;
-    document["receivers"].push_back({{"name", receiver.receiver},
-                                     {"light", receiver.light},
-                                     {"area", mesh.area().nearest},
-                                     {"faces", mesh.faces().size()},
-                                     {"edges", mesh.edges().size()},
-                                     {"vertices", mesh.vertex_count()},
-                                     {"regions", mesh.regions().size()},
-                                     {"areas", areas_json(mesh)}});
+  for (const SideResult side : sides_of(result.receivers)) {
+    const SideCounts counts = counts_of(side);
+    document["receivers"].push_back({{"name", side.front().side},
+                                     {"light", side.front().light},
+                                     {"area", counts.area},
+                                     {"faces", counts.faces},
+                                     {"edges", counts.edges},
+                                     {"vertices", counts.vertices},
+                                     {"regions", counts.regions},
+                                     {"areas", areas_json(side)}});
+    if (side.size() > 1) document["receivers"].back()["facets"] = side.size();
   }
   return document;
 }
@@ -85,12 +110,13 @@ std::string percentage(double part, double whole) {
 
 std::string receivers_summary(const DiscontinuityResult& result) {
   std::string text;
-  for (const ReceiverResult& receiver : result.receivers) {
-    const ReceiverMesh& mesh = receiver.mesh;
-    text += receiver.receiver + ", light " + receiver.light + ": " + counted(mesh.faces().size(), "face") + ", " +
-            counted(mesh.regions().size(), "region") + ";";
-    const auto areas = mesh.areas();
-    const double whole = mesh.area().nearest;
+  for (const SideResult side : sides_of(result.receivers)) {
+    const SideCounts counts = counts_of(side);
+    text += side.front().side + ", light " + side.front().light + ": ";
+    if (side.size() > 1) text += counted(side.size(), "facet") + ", ";
+    text += counted(counts.faces, "face") + ", " + counted(counts.regions, "region") + ";";
+    const auto areas = areas_of(side);
+    const double whole = counts.area;
     for (std::size_t k = 0; k < areas.size(); ++k) {
       if (areas[k].nearest == 0) continue;
       text += " " + std::string(name(static_cast<ReceiverRegion>(k))) + " " + percentage(areas[k].nearest, whole);

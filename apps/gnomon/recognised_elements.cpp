@@ -2,6 +2,8 @@
 
 #include <variant>
 
+#include "geometry/scene/receiver_facets.h"
+
 namespace gnomon {
 namespace {
 
@@ -54,10 +56,6 @@ RecognisedElement recognised(const SceneBlocker& blocker) {
   return std::visit(Recognise{}, blocker.shape);
 }
 
-RecognisedElement recognised(const SceneReceiver& receiver) {
-  return Recognise{}(receiver.shape);
-}
-
 RecognisedElement recognised(const PlanarLight& light) {
   RecognisedElement element = Recognise::plain(light.vertices.size() == 1 ? "point" : "segment", light.vertices.size());
   element.strength = strength(element.shape, light.strength);
@@ -78,13 +76,32 @@ std::vector<RecognisedElement> recognised(const std::vector<Element>& elements) 
   return list;
 }
 
+/// One receiver of the file: a polygon, or several facets, a mesh.
+RecognisedElement recognised(ReceiverGroup receiver) {
+  const std::size_t sides = receiver.front().side == receiver.back().side ? 1 : 2;
+  const std::size_t facets = receiver.size() / sides;
+  RecognisedElement element;
+  element.name = receiver.front().element;
+  element.shape = facets == 1 ? "polygon" : "mesh";
+  if (facets == 1) element.vertices = receiver.front().shape.points().size();
+  if (facets > 1) element.facets = facets;
+  if (sides == 2) element.two_sided = true;
+  return element;
+}
+
+std::vector<RecognisedElement> recognised_receivers(const Scene& scene) {
+  std::vector<RecognisedElement> list;
+  for (const ReceiverGroup receiver : receiver_elements(scene.receivers)) list.push_back(recognised(receiver));
+  return list;
+}
+
 }  // namespace
 
 RecognisedElements recognised_elements(const Scene& scene) {
   if (scene.dimension == 2) {
     return {recognised(scene.planar_lights), recognised(scene.planar_blockers), recognised(scene.planar_receivers)};
   }
-  return {recognised(scene.lights), recognised(scene.blockers), recognised(scene.receivers)};
+  return {recognised(scene.lights), recognised(scene.blockers), recognised_receivers(scene)};
 }
 
 }  // namespace gnomon

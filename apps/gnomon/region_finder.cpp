@@ -8,6 +8,7 @@
 #include "apps/gnomon/planar_sight.h"
 #include "apps/gnomon/scene_obstacles.h"
 #include "geometry/visibility/light_visibility.h"
+#include "geometry/visibility/resting_point.h"
 
 namespace gnomon {
 namespace {
@@ -26,6 +27,15 @@ RegionFinder spatial_finder(const Scene& scene, const std::string& light) {
     std::vector<Visibility> seen;
     for (LightVisibility& light_seen : per_thread->local()) seen.push_back(light_seen.at({p[0], p[1], p[2]}));
     return seen;
+  };
+  finder.received = [per_thread, obstacles](const std::array<double, 3>& p, const std::array<double, 3>& n) {
+    const ReceiverPoint receiver = resting_point(obstacles, {p[0], p[1], p[2]}, {n[0], n[1], n[2]});
+    std::vector<Visibility> seen;
+    for (LightVisibility& light_seen : per_thread->local()) seen.push_back(light_seen.received(receiver));
+    return seen;
+  };
+  finder.is_within_rounding = [obstacles](const std::array<double, 3>& p) {
+    return is_within_rounding(obstacles, {p[0], p[1], p[2]});
   };
   return finder;
 }

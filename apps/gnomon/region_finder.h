@@ -16,6 +16,10 @@ struct RegionFinder {
   /// One answer per light for the point of these coordinates; z is not looked at in the plane. May be called from
   /// several threads.
   std::function<std::vector<Visibility>(const std::array<double, 3>&)> at;
+  /// The same for a receiver's point with this normal; none in the plane.
+  std::function<std::vector<Visibility>(const std::array<double, 3>&, const std::array<double, 3>&)> received;
+  /// Whether rounding may have put a point on the wrong side of a blocker; none in the plane.
+  std::function<bool(const std::array<double, 3>&)> is_within_rounding;
 };
 
 /// The finder of a scene, for all lights or, if a name is given, for that one.

@@ -28,8 +28,9 @@ struct RegionsOptions : CommonOptions {
 void add_options(CLI::App& app, RegionsOptions& options) {
   add_text(app, "SCENE", options.scene, "FILE", "Scene file")->required();
   add_text(app, "--at", options.at, "POINTS.csv|-",
-           "Points as CSV with columns x,y,z (x,y in the plane), or three or six numbers a line without a header; '-'\n"
-           "reads them from stdin. Commas, semicolons, tabs or blanks separate; further columns are passed through")
+           "Points as CSV with columns x,y,z (x,y in the plane) or x,y,z,nx,ny,nz, or so many numbers a line without a\n"
+           "header; '-' reads them from stdin. Commas, semicolons, tabs or blanks separate; further columns are\n"
+           "passed through")
       ->required();
   add_text(app, "--out", options.out, "FILE", "Write the CSV to this file (default: to stdout)");
   add_json_option(app, options);
@@ -41,6 +42,9 @@ void add_options(CLI::App& app, RegionsOptions& options) {
       "region\n"
       "(lit, penumbra, umbra or unlit) is decided exactly. A malformed line is reported with its number and left out;\n"
       "the exit code is 3 then.\n\n"
+      "Points with normals are those of receivers: of a light only what lies before the receiver counts, of which\n"
+      "region and visible_fraction tell, with its share of the light as a column before_receiver. They are lit or in\n"
+      "penumbra exactly where they get light. A facet right under a point does not hide the light from it.\n\n"
       "Examples:\n"
       "  gnomon regions examples/figure_4_22.scene.json --at examples/points.csv\n"
       "  gnomon regions examples/cornell_box.scene.json --at examples/points.csv --light ceiling_lamp --json -\n");
@@ -50,9 +54,24 @@ std::vector<JudgedRow> judged_batch(PointTable& table, const RegionFinder& finde
   std::vector<JudgedRow> rows;
   for (TableRow& row : next_rows(table)) rows.push_back({std::move(row), {}});
   for_all(rows.size(), threads, [&](std::size_t i) {
-    if (const auto* row = std::get_if<PointRow>(&rows[i].row)) rows[i].seen = finder.at(row->coordinates);
+    const auto* row = std::get_if<PointRow>(&rows[i].row);
+    if (!row) return;
+    rows[i].seen = table.has_normals() ? finder.received(row->coordinates, row->normal) : finder.at(row->coordinates);
+    rows[i].is_within_rounding =
+        !table.has_normals() && finder.is_within_rounding && finder.is_within_rounding(row->coordinates);
   });
   return rows;
+}
+
+TableColumns columns_of(const Scene& scene) {
+  return scene.dimension == 2 ? TableColumns::planar_points : TableColumns::points_perhaps_with_normals;
+}
+
+void warn_of_rounding(std::size_t within, std::size_t points) {
+  if (within == 0) return;
+  print_warning(counted(within, "point") + " of " + std::to_string(points) +
+                " within rounding of a blocker: which side of it the answer is for, their coordinates alone do not "
+                "tell. Points of a surface want its normals, as columns nx,ny,nz");
 }
 
 /// Where the results go: any of a CSV file or stdout, and a JSON file or stdout.
@@ -65,10 +84,13 @@ struct RegionsOutputs {
   RegionsOutputs(const RegionsOptions& options, const Scene& scene, const PointTable& table,
                  const std::vector<std::string>& lights) {
     if (!options.out.empty()) csv_file.emplace(options.out);
-    if (csv_file || options.json != "-") csv.emplace(csv_file ? csv_file->stream() : std::cout, table.header(), lights);
+    const PointKind kind = table.has_normals() ? PointKind::of_receivers : PointKind::bare;
+    if (csv_file || options.json != "-") {
+      csv.emplace(csv_file ? csv_file->stream() : std::cout, table.header(), lights, kind);
+    }
     if (options.json.empty()) return;
     if (options.json != "-") json_file.emplace(options.json);
-    json.emplace(json_file ? json_file->stream() : std::cout, scene, lights);
+    json.emplace(json_file ? json_file->stream() : std::cout, scene, lights, kind);
   }
 
   void add(const JudgedRow& judged) {
@@ -86,15 +108,17 @@ struct RegionsOutputs {
 ExitCode write_regions(const RegionsOptions& options, const Scene& scene, std::istream& stream,
                        const std::string& file) {
   const RegionFinder finder = region_finder(scene, options.light);
-  PointTable table(stream, file, scene.dimension == 2 ? TableColumns::planar_points : TableColumns::points);
+  PointTable table(stream, file, columns_of(scene));
   RegionsOutputs outputs(options, scene, table, finder.lights);
   RegionCounts counts(finder.lights);
+  std::size_t within_rounding = 0;
   tbb::task_arena threads(arena_size(options.threads));
   if (finder.lights.empty()) print_warning("the scene has no light");
   Progress progress("point", 0, progress_visibility(options.quiet, options.out.empty()));
   for (auto rows = judged_batch(table, finder, threads); !rows.empty(); rows = judged_batch(table, finder, threads)) {
     for (const JudgedRow& judged : rows) {
       counts.add(judged);
+      within_rounding += judged.is_within_rounding ? 1 : 0;
       outputs.add(judged);
       const auto* malformed = std::get_if<MalformedRow>(&judged.row);
       if (malformed) print_error(file + ':' + std::to_string(malformed->line) + ": " + malformed->problem);
@@ -104,6 +128,7 @@ ExitCode write_regions(const RegionsOptions& options, const Scene& scene, std::i
     progress.step(rows.size());
   }
   outputs.publish(counts);
+  warn_of_rounding(within_rounding, counts.points());
   if (!options.quiet && !options.out.empty() && options.json != "-") std::cout << counts.text();
   return counts.malformed_lines() == 0 ? ExitCode::done : ExitCode::bad_scene;
 }

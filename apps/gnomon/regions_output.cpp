@@ -12,17 +12,21 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array regions = {Region::lit, Region::penumbra, Region::umbra, Region::unlit};
 
-Json point_json(const PointRow& row, int dimension) {
+Json point_json(const PointRow& row, int dimension, PointKind kind) {
   Json point = Json::array();
   for (std::size_t i = 0; i < std::size_t(dimension); ++i) point.push_back(row.coordinates[i]);
-  return {{"line", row.line}, {"point", std::move(point)}};
+  Json json = {{"line", row.line}, {"point", std::move(point)}};
+  if (kind == PointKind::of_receivers) json["normal"] = row.normal;
+  return json;
 }
 
-Json seen_json(const std::string& light, const Visibility& seen) {
-  return {{"light", light},
-          {"region", name(seen.region)},
-          {"visible_fraction", seen.fraction},
-          {"error_bound", seen.error_bound}};
+Json seen_json(const std::string& light, const Visibility& seen, PointKind kind) {
+  Json json = {{"light", light},
+               {"region", name(seen.region)},
+               {"visible_fraction", seen.fraction},
+               {"error_bound", seen.error_bound}};
+  if (kind == PointKind::of_receivers) json["before_receiver"] = seen.before_receiver;
+  return json;
 }
 
 }  // namespace
@@ -46,10 +50,11 @@ std::string RegionCounts::text() const {
   return counted(points_, "point") + '\n' + aligned(rows, 2);
 }
 
-RegionsCsv::RegionsCsv(std::ostream& stream, const std::string& header, std::vector<std::string> lights)
-    : stream_(stream), lights_(std::move(lights)) {
+RegionsCsv::RegionsCsv(std::ostream& stream, const std::string& header, std::vector<std::string> lights, PointKind kind)
+    : kind_(kind), stream_(stream), lights_(std::move(lights)) {
   for (std::string& light : lights_) light = csv_field(light);
-  stream_ << header << ",light,region,visible_fraction,error_bound\n";
+  stream_ << header << ",light,region,visible_fraction,error_bound"
+          << (kind_ == PointKind::of_receivers ? ",before_receiver\n" : "\n");
 }
 
 void RegionsCsv::add(const JudgedRow& judged) {
@@ -58,12 +63,14 @@ void RegionsCsv::add(const JudgedRow& judged) {
   for (std::size_t l = 0; l < lights_.size(); ++l) {
     const Visibility& seen = judged.seen[l];
     stream_ << row->text << ',' << lights_[l] << ',' << name(seen.region) << ',' << number_text(seen.fraction) << ','
-            << number_text(seen.error_bound) << '\n';
+            << number_text(seen.error_bound);
+    if (kind_ == PointKind::of_receivers) stream_ << ',' << number_text(seen.before_receiver);
+    stream_ << '\n';
   }
 }
 
-RegionsJson::RegionsJson(std::ostream& stream, const Scene& scene, std::vector<std::string> lights)
-    : stream_(stream), lights_(std::move(lights)), dimension_(scene.dimension) {
+RegionsJson::RegionsJson(std::ostream& stream, const Scene& scene, std::vector<std::string> lights, PointKind kind)
+    : stream_(stream), lights_(std::move(lights)), dimension_(scene.dimension), kind_(kind) {
   stream_ << "{\n  \"schema\": \"gnomon/regions/1\",\n  \"scene\": " << Json(scene.source).dump()
           << ",\n  \"dimension\": " << dimension_ << ",\n  \"length_unit\": " << Json(scene.length_unit).dump()
           << ",\n  \"points\": [";
@@ -74,9 +81,10 @@ void RegionsJson::add(const JudgedRow& judged) {
   if (const auto* malformed = std::get_if<MalformedRow>(&judged.row)) {
     json = {{"line", malformed->line}, {"problem", malformed->problem}};
   } else {
-    json = point_json(std::get<PointRow>(judged.row), dimension_);
+    json = point_json(std::get<PointRow>(judged.row), dimension_, kind_);
     json["lights"] = Json::array();
-    for (std::size_t l = 0; l < lights_.size(); ++l) json["lights"].push_back(seen_json(lights_[l], judged.seen[l]));
+    for (std::size_t l = 0; l < lights_.size(); ++l)
+      json["lights"].push_back(seen_json(lights_[l], judged.seen[l], kind_));
   }
   stream_ << (std::exchange(first_, false) ? "\n    " : ",\n    ") << json.dump();
 }

@@ -16,8 +16,12 @@ namespace gnomon {
 /// A row of the table of points, and what its point receives of each light.
 struct JudgedRow {
   std::variant<PointRow, MalformedRow> row;
-  std::vector<Visibility> seen;  ///< empty for a malformed row
+  std::vector<Visibility> seen;     ///< empty for a malformed row
+  bool is_within_rounding = false;  ///< rounding may have put the point on the wrong side of a blocker
 };
+
+/// Whether the points are bare or those of receivers, with a side.
+enum class PointKind { bare, of_receivers };
 
 /// How many points are in which region of each light.
 class RegionCounts {
@@ -41,14 +45,15 @@ class RegionCounts {
   std::size_t malformed_lines_ = 0;
 };
 
-/// The result as CSV, row by row: the fields as they were written, then light,region,visible_fraction,error_bound.
-/// Malformed rows are left out.
+/// The result as CSV, row by row: the fields as they were written, then light,region,visible_fraction,error_bound; of
+/// receivers' points before_receiver too. Malformed rows are left out.
 class RegionsCsv {
  public:
-  RegionsCsv(std::ostream& stream, const std::string& header, std::vector<std::string> lights);
+  RegionsCsv(std::ostream& stream, const std::string& header, std::vector<std::string> lights, PointKind kind);
   void add(const JudgedRow& judged);
 
  private:
+  PointKind kind_;
   std::ostream& stream_;
   std::vector<std::string> lights_;  ///< quoted where CSV asks for it
 };
@@ -56,7 +61,7 @@ class RegionsCsv {
 /// The result as JSON of schema gnomon/regions/1, point by point.
 class RegionsJson {
  public:
-  RegionsJson(std::ostream& stream, const Scene& scene, std::vector<std::string> lights);
+  RegionsJson(std::ostream& stream, const Scene& scene, std::vector<std::string> lights, PointKind kind);
   void add(const JudgedRow& judged);
   void finish(const RegionCounts& counts);
 
@@ -64,6 +69,7 @@ class RegionsJson {
   std::ostream& stream_;
   std::vector<std::string> lights_;
   int dimension_;
+  PointKind kind_;
   bool first_ = true;
 };
 

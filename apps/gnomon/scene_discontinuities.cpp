@@ -10,6 +10,7 @@
 
 #include "apps/gnomon/console.h"
 #include "apps/gnomon/element_choice.h"
+#include "apps/gnomon/receiver_rows.h"
 #include "geometry/discontinuity/event_range.h"
 #include "geometry/scene/convex_parts.h"
 #include "geometry/scene/scene_points.h"
@@ -123,12 +124,12 @@ DiscontinuityResult divided_receivers(const Scene& scene, const ReceiverSelectio
   DiscontinuityResult result{&scene, {}, {}, {}};
   const Parts parts = parts_of(scene, result);
   require_range(scene);
-  require_name("--receiver", "receiver", selection.receiver, scene.receivers);
+  require_receiver("--receiver", selection.receiver, scene.receivers);
   const std::vector<std::uint32_t> lights = supported_lights(scene, selection.light, parts);
   std::vector<std::uint32_t> chosen;
   for (std::uint32_t r = 0; r < parts.receivers.size(); ++r) {
-    const std::string& name = scene.receivers[parts.receiver_ids[r]].name;
-    if (is_asked_for(selection.receiver, name)) chosen.push_back(r);
+    const SceneReceiver& receiver = scene.receivers[parts.receiver_ids[r]];
+    if (selection.receiver.empty() || receiver.is_called(selection.receiver)) chosen.push_back(r);
   }
   if (chosen.empty() && !scene.receivers.empty()) {
     throw UnsupportedError(scene.source + ": no receiver asked for has exactly coplanar vertices");
@@ -142,7 +143,8 @@ DiscontinuityResult divided_receivers(const Scene& scene, const ReceiverSelectio
     on_threads(chosen.size(), effort.threads, [&](std::size_t i) {
       const auto r = static_cast<std::uint32_t>(i);
       const std::uint32_t id = parts.receiver_ids[chosen[i]];
-      made[i] = ReceiverResult{l, id, scene.lights[l].name, scene.receivers[id].name, division.mesh(r)};
+      const SceneReceiver& receiver = scene.receivers[id];
+      made[i] = ReceiverResult{l, id, scene.lights[l].name, receiver.name, division.mesh(r), {}, receiver.side};
       if (fractions == VertexFractions::worked_out) {
         made[i]->visible_fractions = division.visible_fractions(r, made[i]->mesh);
       }

@@ -5,6 +5,7 @@
 
 #include "apps/gnomon/shadow_extents.h"
 #include "apps/gnomon/text.h"
+#include "geometry/scene/receiver_facets.h"
 
 namespace gnomon {
 namespace {
@@ -139,7 +140,7 @@ std::string scene_text(const Scene& scene) {
   const bool planar = scene.dimension == 2;
   const std::size_t lights = planar ? scene.planar_lights.size() : scene.lights.size();
   const std::size_t blockers = planar ? scene.planar_blockers.size() : scene.blockers.size();
-  const std::size_t receivers = planar ? scene.planar_receivers.size() : scene.receivers.size();
+  const std::size_t receivers = planar ? scene.planar_receivers.size() : receiver_elements(scene.receivers).size();
   return scene.source + ": " + counted(lights, "light") + ", " + counted(blockers, "blocker") + ", " +
          counted(receivers, "receiver") + "; dimension " + std::to_string(scene.dimension) + ", lengths in " +
          scene.length_unit;

@@ -111,7 +111,7 @@ void add_doubts(const std::string& title, std::vector<std::string> found, std::v
 
 }  // namespace
 
-Mesh read_mesh(const SceneElement& element, const std::filesystem::path& folder, Scene& scene) {
+Mesh read_mesh(const SceneElement& element, const std::filesystem::path& folder, Scene& scene, MeshUse use) {
   const JsonNode node = element.node.required("file", "the name of a mesh file");
   const MeshSource source{node, node.string("the name of a mesh file")};
   PolygonSoup soup = soup_of(node, source, folder);
@@ -120,7 +120,7 @@ Mesh read_mesh(const SceneElement& element, const std::filesystem::path& folder,
   add_doubts(element.title + ": in " + word_text(source.file), std::move(soup.doubts), scene.doubts);
   add_doubts(element.title, std::move(checked.doubts), scene.doubts);
   const bool closed = is_closed(soup);
-  if (!closed) {
+  if (!closed && use == MeshUse::blocker) {
     scene.doubts.push_back(element.title +
                            ": the mesh is not closed, or its facets are not all wound the same way; they count as "
                            "single blockers, not as the surface of a solid");

@@ -50,9 +50,15 @@ struct SceneBlocker {
   BlockerShape shape;
 };
 
+/// A flat convex piece of a receiver of the file; it receives from its front. See receiver_facets.
 struct SceneReceiver {
-  std::string name;
+  std::string name;  ///< of the piece: `floor`, `vase#12`, `vase/back#12`
   ConvexPolygon shape;
+  std::string side = name;     ///< the receiver, or its side, that results are about: `vase`, `vase/back`
+  std::string element = name;  ///< the receiver of the file: `vase`
+
+  /// True if the piece, its side or the receiver of the file is called so.
+  bool is_called(const std::string& asked) const { return asked == name || asked == side || asked == element; }
 };
 
 /// Lights, blockers and receivers of the plane (`dimension` 2).

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "geometry/scene/json_text.h"
+#include "geometry/scene/receiver_facets.h"
 #include "geometry/scene/scene_points.h"
 #include "geometry/spatial/orientation.h"
 
@@ -67,6 +68,42 @@ void doubt_backs(const Scene& scene, std::vector<std::string>& doubts) {
   }
 }
 
+/// Whether something of a light lies strictly before a facet, and an area light shows it its face.
+struct MayReach {
+  const ConvexPolygon& facet;
+
+  bool operator()(const PointLight& light) const { return is_before(light.position); }
+  bool operator()(const DirectionalLight& light) const {
+    const Point3& d = light.direction;
+    return exact_direction_side(corner(0), corner(1), corner(2), {-d.x, -d.y, -d.z}) > 0;
+  }
+  bool operator()(const LinearLight& light) const { return is_before(light.start) || is_before(light.end); }
+  bool operator()(const AreaLight& light) const {
+    const std::span<const Point3> points = light.polygon.points();
+    if (std::none_of(points.begin(), points.end(), [&](const Point3& p) { return is_before(p); })) return false;
+    return light.two_sided || !light.polygon.is_flat() || reaches_front(facet.points(), light.polygon);
+  }
+
+  const Point3& corner(std::size_t k) const { return facet.points()[facet.corners()[k]]; }
+  bool is_before(const Point3& p) const { return exact_orientation(corner(0), corner(1), corner(2), p) > 0; }
+};
+
+/// Receivers of which no facet can receive anything. Of one with two sides one may well be dark.
+void doubt_dark_receivers(const Scene& scene, std::vector<std::string>& doubts) {
+  if (scene.lights.empty()) return;
+  const auto may_be_lit = [&](const SceneReceiver& facet) {
+    return std::any_of(scene.lights.begin(), scene.lights.end(),
+                       [&](const SceneLight& light) { return std::visit(MayReach{facet.shape}, light.shape); });
+  };
+  for (const ReceiverGroup receiver : receiver_elements(scene.receivers)) {
+    const bool two_sided = receiver.front().side != receiver.back().side;
+    if (two_sided || std::any_of(receiver.begin(), receiver.end(), may_be_lit)) continue;
+    doubts.push_back(element_title("receivers", receiver.front().element) +
+                     ": it is turned from every light; a receiver receives from the side from which its vertices run "
+                     "counterclockwise, from both with \"two_sided\": true");
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> scene_doubts(const Scene& scene) {
@@ -78,6 +115,7 @@ std::vector<std::string> scene_doubts(const Scene& scene) {
   doubt_duplicates(scene.blockers, doubts);
   doubt_duplicates(scene.planar_blockers, doubts);
   doubt_backs(scene, doubts);
+  doubt_dark_receivers(scene, doubts);
   return doubts;
 }
 

@@ -69,7 +69,7 @@ Scene read_document(const JsonNode& document, const std::filesystem::path& folde
   } else {
     read_spatial_lights(lights, scene);
     read_spatial_blockers(blockers, folder, scene);
-    read_spatial_receivers(receivers, scene);
+    read_spatial_receivers(receivers, folder, scene);
   }
   return scene;
 }

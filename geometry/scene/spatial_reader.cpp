@@ -5,6 +5,7 @@
 #include "geometry/scene/mesh_reader.h"
 #include "geometry/scene/polygon_reader.h"
 #include "geometry/scene/polygon_refusal.h"
+#include "geometry/scene/receiver_facets.h"
 #include "geometry/spatial/polygon_checks.h"
 
 namespace gnomon {
@@ -25,11 +26,15 @@ ConcaveRing concave_ring(const SceneElement& element) {
   return element.shape == "polygon" ? ConcaveRing::refused : ConcaveRing::accepted;
 }
 
+bool is_two_sided(const SceneElement& element) {
+  const auto node = element.node.optional("two_sided");
+  return node && node->boolean("true or false");
+}
+
 void read_area_light(const SceneElement& element, Scene& scene) {
   element.node.allow_keys({"name", "shape", "vertices", "radiance", "two_sided"}, "a polygon light");
   const double radiance = strength(element, "radiance");
-  const auto two_sided = element.node.optional("two_sided");
-  const bool both = two_sided && two_sided->boolean("true or false");
+  const bool both = is_two_sided(element);
   for (NamedPolygon& part : polygon_parts(element.name, read_polygon(element, ConcaveRing::unsupported, scene))) {
     scene.lights.push_back({std::move(part.name), AreaLight{std::move(part.polygon), both}, radiance});
   }
@@ -68,17 +73,24 @@ Polytope read_polytope(const SceneElement& element) {
   return {std::move(points)};
 }
 
-BlockerShape read_blocker_shape(const SceneElement& element, const std::filesystem::path& folder, Scene& scene) {
+void allow_shape_keys(const SceneElement& element, std::initializer_list<std::string_view> keys, MeshUse use) {
+  std::vector<std::string_view> all = {"name", "shape"};
+  all.insert(all.end(), keys);
+  if (use == MeshUse::receiver) all.push_back("two_sided");
+  element.node.allow_keys(all, "a " + element.shape + (use == MeshUse::receiver ? " receiver" : ""));
+}
+
+BlockerShape read_shape(const SceneElement& element, MeshUse use, const std::filesystem::path& folder, Scene& scene) {
   if (element.shape == "mesh") {
-    element.node.allow_keys({"name", "shape", "file"}, "a mesh");
-    return read_mesh(element, folder, scene);
+    allow_shape_keys(element, {"file"}, use);
+    return read_mesh(element, folder, scene, use);
   }
   if (element.shape == "polytope") {
-    element.node.allow_keys({"name", "shape", "vertices"}, "a polytope");
+    allow_shape_keys(element, {"vertices"}, use);
     return read_polytope(element);
   }
   if (!is_polygon(element)) refuse_shape(element, {"polygon", "polytope", "concave_polygon", "mesh"});
-  element.node.allow_keys({"name", "shape", "vertices", "holes"}, "a " + element.shape);
+  allow_shape_keys(element, {"vertices", "holes"}, use);
   return std::visit([](auto polygon) { return BlockerShape(std::move(polygon)); },
                     read_polygon(element, concave_ring(element), scene));
 }
@@ -107,16 +119,17 @@ void read_spatial_lights(const std::vector<SceneElement>& elements, Scene& scene
 void read_spatial_blockers(const std::vector<SceneElement>& elements, const std::filesystem::path& folder,
                            Scene& scene) {
   for (const SceneElement& element : elements) {
-    scene.blockers.push_back({element.name, read_blocker_shape(element, folder, scene)});
+    scene.blockers.push_back({element.name, read_shape(element, MeshUse::blocker, folder, scene)});
   }
 }
 
-void read_spatial_receivers(const std::vector<SceneElement>& elements, Scene& scene) {
+void read_spatial_receivers(const std::vector<SceneElement>& elements, const std::filesystem::path& folder,
+                            Scene& scene) {
   for (const SceneElement& element : elements) {
-    if (!is_polygon(element)) refuse_shape(element, {"polygon", "concave_polygon"});
-    element.node.allow_keys({"name", "shape", "vertices", "holes"}, "a receiver");
-    for (NamedPolygon& part : polygon_parts(element.name, read_polygon(element, concave_ring(element), scene))) {
-      scene.receivers.push_back({std::move(part.name), std::move(part.polygon)});
+    const ReceiverSides sides = is_two_sided(element) ? ReceiverSides::both : ReceiverSides::front;
+    const BlockerShape shape = read_shape(element, MeshUse::receiver, folder, scene);
+    for (SceneReceiver& facet : receiver_facets(element.name, shape, sides)) {
+      scene.receivers.push_back(std::move(facet));
     }
   }
 }

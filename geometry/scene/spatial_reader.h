@@ -12,9 +12,10 @@ namespace gnomon {
 ///
 /// Throws: SceneError.
 void read_spatial_lights(const std::vector<SceneElement>& elements, Scene& scene);
-void read_spatial_receivers(const std::vector<SceneElement>& elements, Scene& scene);
 
 /// Mesh files are looked up in `folder`.
+void read_spatial_receivers(const std::vector<SceneElement>& elements, const std::filesystem::path& folder,
+                            Scene& scene);
 void read_spatial_blockers(const std::vector<SceneElement>& elements, const std::filesystem::path& folder,
                            Scene& scene);
 

@@ -54,9 +54,9 @@ TEST(ReceiverGridProperty, ATiltedReceiverThatBlocksDoesNotDarkenItself) {
     const AreaLight lamp{polygon({{-1, -1, 9}, {-1, 1, 9}, {1, 1, 9}, {1, -1, 9}})};
     const ReceiverGrid grid(floor, {5, 5});
     LightIrradiance bare(lamp, 1, PreparedObstacles({}));
-    LightIrradiance before(lamp, 1, PreparedObstacles(obstacles_before(floor, {{floor}, {}})));
+    LightIrradiance itself(lamp, 1, PreparedObstacles({{floor}, {}}));
     for (std::size_t i = 0; i < grid.size(); ++i) {
-      const Irradiance e = before.at(grid.point(i), grid.normal());
+      const Irradiance e = itself.received({grid.point(i), facet_front(floor)}, grid.normal());
       ASSERT_EQ(e.value, bare.at(grid.point(i), grid.normal()).value);
       ASSERT_GT(e.value, 0);
     }
@@ -79,19 +79,18 @@ TEST(ReceiverGrid, AnAlmostStraightCornerDoesNotTurnTheNormal) {
   EXPECT_NEAR(grid.normal().z, 1 / std::sqrt(3), 1e-15);
 }
 
-TEST(ReceiverGrid, KeepsTheObstaclesThatReachBeforeItsPlane) {
-  const ConvexPolygon floor = polygon({{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}});
-  const ConvexBlocker above = polygon({{0, 0, -1}, {1, 0, -1}, {0, 0, 1}});
-  const ConvexBlocker below = ConvexSolid::hull_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}});
-  const ClosedSurface standing{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
-                               {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{0, 3, 2}}}};
-  ClosedSurface hovering = standing;
-  for (Point3& p : hovering.vertices) p.z += 1;
-  const Obstacles kept = obstacles_before(floor, {{above, below, floor}, {standing, hovering}});
-  ASSERT_EQ(kept.blockers.size(), 1u);
-  EXPECT_TRUE(std::holds_alternative<ConvexPolygon>(kept.blockers[0]));
-  ASSERT_EQ(kept.enclosures.size(), 1u);
-  EXPECT_EQ(kept.enclosures[0].vertices[0].z, 1);
+TEST(ReceiverGrid, TheMeanOfCornersNeitherOverflowsNorLeavesThem) {
+  const Point3 mean = mean_of_corners(polygon({{-1e308, 0, 0}, {1e308, 0, 0}, {0, 3, 0}}));
+  EXPECT_EQ(mean.y, 1);
+  EXPECT_LE(std::fabs(mean.x), 1e293);
+}
+
+TEST(ReceiverGrid, PointsMoveAlongNormalsOfAnyLength) {
+  for (const double size : {1e-200, 1.0, 1e200}) {
+    const Point3 p = moved_along({1, 2, 3}, {0, 3 * size, 4 * size}, 0.5);
+    EXPECT_NEAR(p.y, 2.3, 1e-15);
+    EXPECT_NEAR(p.z, 3.4, 1e-15);
+  }
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ const std::vector<BadScene> bad_scenes = {
     {"no_shape", {"/blockers/0/shape", "blocker \"table\"", "no such key", "a shape"}},
     {"unknown_shape", {"/blockers/0/shape", "blocker \"ball\"", "the string \"sphere\"", "\"polytope\""}},
     {"unknown_light_shape", {"/lights/0/shape", "light \"lamp\"", "the string \"spot\"", "\"direction\""}},
-    {"receiver_shape", {"/receivers/0/shape", "receiver \"floor\"", "the string \"polytope\"", "\"polygon\""}},
+    {"receiver_shape", {"/receivers/0/shape", "receiver \"floor\"", "the string \"segment\"", "\"polygon\""}},
     // Vertices
     {"no_vertices", {"/blockers/0/vertices", "blocker \"table\"", "no such key", "an array of points"}},
     {"vertices_is_text", {"/blockers/0/vertices", "the string \"0 0 1\"", "an array of points"}},

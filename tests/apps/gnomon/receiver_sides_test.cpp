@@ -1,0 +1,240 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+#include "tests/apps/gnomon/program_fixture.h"
+
+namespace gnomon {
+namespace {
+
+using nlohmann::json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+
+std::vector<std::string> lines(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> result;
+  for (std::string line; std::getline(stream, line);) result.push_back(line);
+  return result;
+}
+
+/// Panels, a wall and the ground under suns at noon, behind the wall, level, and below the horizon.
+const std::string suns_scene = R"({"gnomon": 1, "dimension": 3, "lights": [
+  {"name": "below", "shape": "direction", "direction": [0, 0.3, 1], "irradiance": 1000},
+  {"name": "behind", "shape": "direction", "direction": [0, -1, -0.2], "irradiance": 1000},
+  {"name": "grazing", "shape": "direction", "direction": [1, 0, 0], "irradiance": 1000},
+  {"name": "noon", "shape": "direction", "direction": [0, 1, -1], "irradiance": 1000}],
+  "blockers": [
+  {"name": "pv", "shape": "polygon", "vertices": [[0, 0, 1], [2, 0, 1], [2, 1, 2], [0, 1, 2]]},
+  {"name": "side", "shape": "polygon", "vertices": [[0, 3, 0], [2, 3, 0], [2, 3, 2], [0, 3, 2]]}],
+  "receivers": [
+  {"name": "pv", "shape": "polygon", "vertices": [[0, 0, 1], [2, 0, 1], [2, 1, 2], [0, 1, 2]]},
+  {"name": "ground", "shape": "polygon", "vertices": [[-20, -20, 0], [20, -20, 0], [20, 20, 0], [-20, 20, 0]]}]})";
+
+class ReceiverSides : public Program {};
+
+TEST_F(ReceiverSides, ASunBelowTheHorizonOrBehindLightsNothing) {
+  write("suns.scene.json", suns_scene);
+  write("points.csv", "x,y,z,nx,ny,nz\n1,0.5,1.5,0,-1,1\n1,0.5,1.5,0,1,-1\n1,3,1,0,-1,0\n5,5,0,0,0,1\n5,5,0,0,0,-1\n");
+  const Outcome run = gnomon("regions suns.scene.json --at points.csv --json regions.json");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.err, IsEmpty());
+  EXPECT_EQ(lines(run.out)[0], "x,y,z,nx,ny,nz,light,region,visible_fraction,error_bound,before_receiver");
+  EXPECT_EQ(lines(run.out)[1], "1,0.5,1.5,0,-1,1,below,unlit,0,0,0");
+  const std::array<std::array<std::string, 4>, 5> expected = {{
+      {"unlit", "lit", "unlit", "lit"},
+      {"lit", "unlit", "unlit", "unlit"},
+      {"unlit", "unlit", "unlit", "lit"},
+      {"unlit", "lit", "unlit", "lit"},
+      {"lit", "unlit", "unlit", "unlit"},
+  }};
+  ASSERT_EQ(gnomon("irradiance suns.scene.json --at points.csv --json irradiance.json --out e.csv").code, 0);
+  const json regions = read_json("regions.json")["points"];
+  const json irradiance = read_json("irradiance.json")["points"];
+  for (std::size_t p = 0; p < 5; ++p) {
+    for (std::size_t l = 0; l < 4; ++l) {
+      const json& seen = regions[p]["lights"][l];
+      EXPECT_EQ(seen["region"], expected[p][l]) << p << ' ' << l;
+      EXPECT_EQ(seen["before_receiver"], expected[p][l] == "unlit" ? 0 : 1) << p << ' ' << l;
+      EXPECT_EQ(irradiance[p]["lights"][l]["irradiance"] > 0, expected[p][l] == "lit") << p << ' ' << l;
+    }
+  }
+}
+
+TEST_F(ReceiverSides, OfALampHalfBeforeTheReceiverHalfCounts) {
+  write("table.scene.json", table_scene);
+  write("wall.csv", "x,y,z,nx,ny,nz\n3,0,4.5,0,0,-1\n0,9,0,1,0,0\n0,9,0,1,0,1\n");
+  EXPECT_THAT(lines(gnomon("regions table.scene.json --at wall.csv").out),
+              ElementsAre(HasSubstr("before_receiver"), "3,0,4.5,0,0,-1,lamp,unlit,0,0,1",
+                          StartsWith("0,9,0,1,0,0,lamp,lit,0.5,"), "0,9,0,1,0,1,lamp,lit,1,0,1"));
+}
+
+TEST_F(ReceiverSides, PointsWithoutNormalsHaveNoSide) {
+  write("suns.scene.json", suns_scene);
+  write("points.csv", "x,y,z\n5,5,0\n");
+  EXPECT_THAT(lines(gnomon("regions suns.scene.json --at points.csv --light below").out),
+              ElementsAre("x,y,z,light,region,visible_fraction,error_bound", "5,5,0,below,lit,1,0"));
+}
+
+TEST_F(ReceiverSides, CheckDoubtsReceiversThatAreTurnedFromEveryLight) {
+  write("under.scene.json", R"({"gnomon": 1, "dimension": 3,
+    "lights": [{"name": "sun", "shape": "direction", "direction": [0, 0, -1]}],
+    "blockers": [{"name": "b", "shape": "polygon", "vertices": [[0, 0, 1], [1, 0, 1], [0, 1, 1]]}],
+    "receivers": [{"name": "floor", "shape": "polygon", "vertices": [[0, 0, 0], [0, 1, 0], [1, 0, 0]]},
+                  {"name": "wall", "shape": "polygon", "vertices": [[0, 0, 0], [1, 0, 0], [0, 0, 1]]},
+                  {"name": "pane", "shape": "polygon", "vertices": [[0, 0, 0], [0, 1, 0], [1, 0, 0]],
+                   "two_sided": true}]})");
+  ASSERT_EQ(gnomon("check under.scene.json --json check.json").code, 0);
+  const json doubts = read_json("check.json")["doubts"];
+  ASSERT_EQ(doubts.size(), 2U);
+  EXPECT_THAT(doubts[0], HasSubstr("receiver \"floor\": it is turned from every light"));
+  EXPECT_THAT(doubts[1], HasSubstr("receiver \"wall\": it is turned from every light"));
+}
+
+TEST_F(ReceiverSides, AReceiverOfTwoSidesIsTwoByName) {
+  write("pane.scene.json", R"({"gnomon": 1, "dimension": 3,
+    "lights": [{"name": "bulb", "shape": "point", "position": [0, 0, 2], "intensity": 4}], "blockers": [],
+    "receivers": [{"name": "pane", "shape": "polygon", "two_sided": true,
+                   "vertices": [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]}]})");
+  const json result = json::parse(gnomon("receivers pane.scene.json --json -").out)["receivers"];
+  ASSERT_EQ(result.size(), 2U);
+  EXPECT_EQ(result[0]["name"], "pane/front");
+  EXPECT_EQ(result[1]["name"], "pane/back");
+  EXPECT_EQ(result[0]["areas"]["lit"]["exact"], "4");
+  const Outcome run = gnomon("irradiance pane.scene.json --on pane --shape 1,1");
+  EXPECT_THAT(lines(run.out),
+              ElementsAre("x,y,z,nx,ny,nz,facet,light,irradiance,error_bound",
+                          StartsWith("0,0,0,0,0,1,pane/front,bulb,1,"), StartsWith("0,0,0,0,0,-1,pane/back,bulb,0,0")));
+  EXPECT_THAT(lines(gnomon("irradiance pane.scene.json --on pane/back --shape 1,1").out),
+              ElementsAre(HasSubstr("irradiance"), "0,0,0,0,0,-1,bulb,0,0"));
+}
+
+/// A lumpy sheet of 2 n² triangles over the square [-5, 5]², with six digits.
+std::string terrain(int n) {
+  std::ostringstream obj;
+  obj << std::fixed << std::setprecision(6);
+  for (int j = 0; j <= n; ++j) {
+    for (int i = 0; i <= n; ++i) {
+      const double x = -5 + 10.0 * i / n, y = -5 + 10.0 * j / n;
+      obj << "v " << x << ' ' << y << ' ' << 1.5 + 0.3 * std::sin(1.3 * x) * std::cos(1.7 * y) << '\n';
+    }
+  }
+  for (int j = 0; j < n; ++j) {
+    for (int i = 0; i < n; ++i) {
+      const int a = j * (n + 1) + i + 1, b = a + 1, c = a + n + 1, d = c + 1;
+      obj << "f " << a << ' ' << b << ' ' << d << "\nf " << a << ' ' << d << ' ' << c << '\n';
+    }
+  }
+  return obj.str();
+}
+
+class TerrainUnderALamp : public Program {
+ protected:
+  TerrainUnderALamp() {
+    write("terrain.obj", terrain(12));
+    write("terrain.scene.json", R"({"gnomon": 1, "dimension": 3,
+      "lights": [{"name": "lamp", "shape": "polygon",
+                  "vertices": [[-0.5, -0.5, 60], [-0.5, 0.5, 60], [0.5, 0.5, 60], [0.5, -0.5, 60]]}],
+      "blockers": [{"name": "model", "shape": "mesh", "file": "terrain.obj"}],
+      "receivers": [{"name": "model", "shape": "mesh", "file": "terrain.obj"}]})");
+  }
+};
+
+TEST_F(TerrainUnderALamp, IsAskedOnItsFacetsAndNeverShadowsItself) {
+  const Outcome run = gnomon("irradiance terrain.scene.json --on model --json on.json --out on.csv");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json points = read_json("on.json")["points"];
+  ASSERT_EQ(points.size(), 288U);
+  EXPECT_EQ(lines(read("on.csv"))[0], "x,y,z,nx,ny,nz,facet,light,irradiance,error_bound");
+  EXPECT_THAT(lines(read("on.csv"))[288], HasSubstr(",model#287,lamp,"));
+  for (const json& point : points) EXPECT_GT(point["lights"][0]["irradiance"], 0) << point;
+}
+
+TEST_F(TerrainUnderALamp, PointsComputedOnFacetsAreInUmbraOnlyWithoutNormals) {
+  const json on = json::parse(gnomon("irradiance terrain.scene.json --on model --json -").out)["points"];
+  std::ostringstream bare, facing;
+  bare << std::setprecision(17) << "x,y,z\n";
+  facing << std::setprecision(17) << "x,y,z,nx,ny,nz\n";
+  for (const json& point : on) {
+    const auto p = point["point"], n = point["normal"];
+    for (std::ostringstream* table : {&bare, &facing}) {
+      *table << p[0].get<double>() << ',' << p[1].get<double>() << ',' << p[2].get<double>();
+    }
+    facing << ',' << n[0].get<double>() << ',' << n[1].get<double>() << ',' << n[2].get<double>() << '\n';
+    bare << '\n';
+  }
+  write("bare.csv", bare.str());
+  write("facing.csv", facing.str());
+  const Outcome without =
+      gnomon("regions terrain.scene.json --at bare.csv --json bare.json --out bare_out.csv --quiet");
+  EXPECT_THAT(without.err, HasSubstr("within rounding of a blocker"));
+  EXPECT_GT(read_json("bare.json")["lights"][0]["umbra"], 20);
+  const Outcome with = gnomon("regions terrain.scene.json --at facing.csv --json facing.json --out out.csv --quiet");
+  EXPECT_THAT(with.err, IsEmpty());
+  EXPECT_EQ(read_json("facing.json")["lights"][0]["lit"], 288);
+  // The same light as on the facets themselves, and a little above them.
+  const json at = json::parse(gnomon("irradiance terrain.scene.json --at facing.csv --json -").out)["points"];
+  const json lifted =
+      json::parse(gnomon("irradiance terrain.scene.json --at facing.csv --lift 1e-9 --json -").out)["points"];
+  for (std::size_t i = 0; i < on.size(); ++i) {
+    const double expected = on[i]["lights"][0]["irradiance"];
+    EXPECT_NEAR(at[i]["lights"][0]["irradiance"], expected, 1e-15) << i;
+    EXPECT_NEAR(lifted[i]["lights"][0]["irradiance"], expected, 1e-9) << i;
+  }
+}
+
+TEST_F(TerrainUnderALamp, IsOneBlockAndOneRowOfAllFacets) {
+  const Outcome run = gnomon("receivers terrain.scene.json --out mesh --json mesh.json");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json rows = read_json("mesh.json")["receivers"];
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0]["name"], "model");
+  EXPECT_EQ(rows[0]["facets"], 288);
+  EXPECT_EQ(rows[0]["areas"]["lit"]["double"], rows[0]["area"]);
+  EXPECT_TRUE(exists("mesh/shadow/receivers/lamp/model/faces.vtp"));
+  EXPECT_EQ(names_in("mesh/shadow/receivers/lamp").size(), 1U);
+  EXPECT_EQ(names_in("mesh/shadow/scene/receivers").size(), 1U);
+}
+
+TEST_F(ReceiverSides, AConcaveReceiverIsDividedExactly) {
+  write("roof.scene.json", R"({"gnomon": 1, "dimension": 3,
+    "lights": [{"name": "sun", "shape": "direction", "direction": [0, 0, -1]}],
+    "blockers": [{"name": "shade", "shape": "polygon", "vertices": [[-2, -2, 8], [2, -2, 8], [2, 22, 8], [-2, 22, 8]]}],
+    "receivers": [{"name": "roof", "shape": "concave_polygon", "vertices": [
+      [0, 0, 6], [36.25, 0, 6], [36.25, 20, 6], [30, 20, 6], [30, 20.5, 6], [25, 20.5, 6], [25, 20, 6], [0, 20, 6]]}]})");
+  const json rows = json::parse(gnomon("receivers roof.scene.json --json -").out)["receivers"];
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0]["areas"]["umbra"]["exact"], "40");
+  EXPECT_EQ(rows[0]["areas"]["lit"]["exact"], "1375/2");
+}
+
+TEST_F(ReceiverSides, APolytopeReceivesWithItsFacets) {
+  write("box.scene.json", R"({"gnomon": 1, "dimension": 3,
+    "lights": [{"name": "sun", "shape": "direction", "direction": [0, 1, -0.5]}],
+    "blockers": [{"name": "house", "shape": "polytope", "vertices": [[0, 0, 0], [100, 0, 0], [100, 40, 0], [0, 40, 0],
+                  [0, 0, 4], [100, 0, 4], [100, 40, 4], [0, 40, 4]]}],
+    "receivers": [{"name": "house", "shape": "polytope", "vertices": [[0, 0, 0], [100, 0, 0], [100, 40, 0], [0, 40, 0],
+                  [0, 0, 4], [100, 0, 4], [100, 40, 4], [0, 40, 4]]},
+                  {"name": "ground", "shape": "polygon",
+                   "vertices": [[-200, -200, 0], [200, -200, 0], [200, 200, 0], [-200, 200, 0]]}]})");
+  const json rows = json::parse(gnomon("receivers box.scene.json --json -").out)["receivers"];
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0]["facets"], 6);
+  EXPECT_EQ(rows[1]["areas"]["umbra"]["exact"], "4800");
+  write("points.csv",
+        "x,y,z,nx,ny,nz\n50,44,0,0,0,1\n50,-4,0,0,0,1\n50,48,0,0,0,1\n50,48.0000001,0,0,0,1\n"
+        "50,20,0,0,0,1\n50,20,4,0,0,1\n");
+  const json points = json::parse(gnomon("regions box.scene.json --at points.csv --json -").out)["points"];
+  const std::array<std::string, 6> expected = {"umbra", "lit", "umbra", "lit", "umbra", "lit"};
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(points[i]["lights"][0]["region"], expected[i]) << i;
+}
+
+}  // namespace
+}  // namespace gnomon
