@@ -23,7 +23,7 @@ std::vector<Part> parts(const SceneBlocker& blocker) {
   if (const auto* polygon = std::get_if<ConvexPolygon>(&blocker.shape)) return {{blocker.name, *polygon, {}}};
   const bool is_whole = std::holds_alternative<Polytope>(blocker.shape);
   std::vector<Part> result;
-  for (ConvexPart& part : convex_parts(blocker)) {
+  for (ConvexPart& part : convex_parts(blocker, PartsFor::volumes)) {
     result.push_back({std::move(part.name), std::move(part.shape), {}});
     if (!is_whole) result.back().vertices = std::move(part.vertices);
   }

@@ -25,8 +25,22 @@ ConvexPart part_of(std::span<const Point3> points, std::string name, Ring piece)
   return {std::move(name), std::move(shape), std::move(piece)};
 }
 
+/// The solid that a convex mesh is; vertices in no facet do not count.
+ConvexPart hull_of_facets(const Mesh& mesh, const std::string& name) {
+  std::vector<bool> used(mesh.vertices.size());
+  for (const Indices& facet : mesh.facets) {
+    for (const std::uint32_t i : facet) used[i] = true;
+  }
+  Indices indices;
+  for (std::uint32_t i = 0; i < used.size(); ++i) {
+    if (used[i]) indices.push_back(i);
+  }
+  return {name, ConvexSolid::hull_of(points_at(mesh.vertices, indices)), indices};
+}
+
 struct PartsOf {
   const std::string& name;
+  PartsFor use;
 
   std::vector<ConvexPart> operator()(const ConvexPolygon& polygon) const {
     return {{name, convex_blocker(polygon), whole_ring(polygon.points().size())}};
@@ -42,6 +56,7 @@ struct PartsOf {
     return parts;
   }
   std::vector<ConvexPart> operator()(const Mesh& mesh) const {
+    if (mesh.dents && (*mesh.dents == 0 || use == PartsFor::volumes)) return {hull_of_facets(mesh, name)};
     std::vector<ConvexPart> parts;
     for (std::size_t f = 0; f < mesh.facets.size(); ++f) {
       const std::size_t number = mesh.facet_numbers.empty() ? f : mesh.facet_numbers[f];
@@ -59,8 +74,8 @@ struct PartsOf {
 
 }  // namespace
 
-std::vector<ConvexPart> convex_parts(const SceneBlocker& blocker) {
-  return std::visit(PartsOf{blocker.name}, blocker.shape);
+std::vector<ConvexPart> convex_parts(const SceneBlocker& blocker, PartsFor use) {
+  return std::visit(PartsOf{blocker.name, use}, blocker.shape);
 }
 
 std::vector<Ring> convex_pieces(const ConcavePolygon& polygon) {
@@ -83,7 +98,7 @@ std::vector<Ring> convex_pieces(std::span<const Point3> points, const Ring& face
 
 std::optional<ClosedSurface> enclosed_space(const SceneBlocker& blocker) {
   const Mesh* mesh = std::get_if<Mesh>(&blocker.shape);
-  if (!mesh || !mesh->closed) return std::nullopt;
+  if (!mesh || !mesh->closed || mesh->dents == 0.0) return std::nullopt;
   ClosedSurface surface{mesh->vertices, {}};
   for (const Ring& facet : mesh->facets) {
     for (const Ring& piece : convex_pieces(mesh->vertices, facet)) {

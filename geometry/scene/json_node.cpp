@@ -47,7 +47,7 @@ void JsonNode::require_object(std::string_view expected) const {
   if (!value_->is_object()) refuse_value(expected);
 }
 
-void JsonNode::allow_keys(std::initializer_list<std::string_view> keys, std::string_view what) const {
+void JsonNode::allow_keys(std::span<const std::string_view> keys, std::string_view what) const {
   for (const auto& [key, value] : value_->items()) {
     if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
     child(value, pointer_token(key))

@@ -3,6 +3,7 @@
 #include <initializer_list>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,7 +30,10 @@ class JsonNode {
   void require_object(std::string_view expected) const;
 
   /// Refuses every key of this object that is not listed. `what` names the object: "a point light".
-  void allow_keys(std::initializer_list<std::string_view> keys, std::string_view what) const;
+  void allow_keys(std::span<const std::string_view> keys, std::string_view what) const;
+  void allow_keys(std::initializer_list<std::string_view> keys, std::string_view what) const {
+    allow_keys(std::span(keys.begin(), keys.size()), what);
+  }
 
   std::string string(std::string_view expected) const;
   bool boolean(std::string_view expected) const;

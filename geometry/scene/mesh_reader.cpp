@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <tuple>
 #include <utility>
 
 #include "geometry/scene/file_text.h"
 #include "geometry/scene/material_file.h"
+#include "geometry/scene/mesh_convexity.h"
 #include "geometry/scene/mesh_facets.h"
 #include "geometry/scene/mesh_formats.h"
 #include "geometry/scene/mesh_text.h"
@@ -126,7 +128,15 @@ Mesh read_mesh(const SceneElement& element, const std::filesystem::path& folder,
                            "single blockers, not as the surface of a solid");
   }
   if (checked.facets.size() == soup.facets.size()) checked.numbers.clear();
-  return {source.file, std::move(soup.vertices), std::move(checked.facets), closed, std::move(checked.numbers)};
+  std::optional<double> dents;
+  if (closed && use == MeshUse::blocker) dents = deviation_from_convex(soup.vertices, checked.facets);
+  if (dents && *dents > 0) {
+    scene.doubts.push_back(element.title + ": it is a convex solid but for dents of up to " + shortest(*dents) + " " +
+                           scene.length_unit +
+                           ", within the limit of 1e-9 of its diameter; its volumes are those of the hull of its "
+                           "vertices");
+  }
+  return {source.file, std::move(soup.vertices), std::move(checked.facets), closed, std::move(checked.numbers), dents};
 }
 
 }  // namespace gnomon

@@ -41,6 +41,8 @@ struct Mesh {
   bool closed = false;                             ///< every edge in exactly two facets, in opposite directions
   /// Of each facet, its number in the file, from 0; none if every facet of the file is here.
   std::vector<std::uint32_t> facet_numbers = {};
+  /// Closed and, but for dents no deeper than this, the surface of the hull of its vertices: see deviation_from_convex.
+  std::optional<double> dents = {};
 };
 
 using BlockerShape = std::variant<ConvexPolygon, Polytope, ConcavePolygon, Mesh>;

@@ -236,5 +236,45 @@ TEST_F(ReceiverSides, APolytopeReceivesWithItsFacets) {
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(points[i]["lights"][0]["region"], expected[i]) << i;
 }
 
+/// 4 m² triangles on a sphere around (0, 0, 2), with nine digits: dents of a nanometre.
+std::string sphere(int m) {
+  std::ostringstream obj;
+  obj << std::fixed << std::setprecision(9) << "v 0 0 3\n";
+  const double pi = std::acos(-1.0);
+  const int n = 2 * m;
+  for (int i = 1; i < m; ++i) {
+    for (int j = 0; j < n; ++j) {
+      const double t = pi * i / m, p = 2 * pi * j / n;
+      obj << "v " << std::sin(t) * std::cos(p) << ' ' << std::sin(t) * std::sin(p) << ' ' << 2 + std::cos(t) << '\n';
+    }
+  }
+  obj << "v 0 0 1\n";
+  const auto at = [&](int i, int j) { return 2 + (i - 1) * n + j % n; };
+  for (int j = 0; j < n; ++j) {
+    obj << "f 1 " << at(1, j) << ' ' << at(1, j + 1) << '\n';
+    obj << "f " << 2 + (m - 1) * n << ' ' << at(m - 1, j + 1) << ' ' << at(m - 1, j) << '\n';
+    for (int i = 1; i < m - 1; ++i) {
+      obj << "f " << at(i, j) << ' ' << at(i + 1, j) << ' ' << at(i + 1, j + 1) << '\n';
+      obj << "f " << at(i, j) << ' ' << at(i + 1, j + 1) << ' ' << at(i, j + 1) << '\n';
+    }
+  }
+  return obj.str();
+}
+
+TEST_F(ReceiverSides, AConvexMeshIsOneSolidOfAFewFiles) {
+  write("sphere.obj", sphere(16));
+  write("sphere.scene.json", R"({"gnomon": 1, "dimension": 3,
+    "lights": [{"name": "lamp", "shape": "polygon", "vertices": [[-0.5, -0.5, 6], [-0.5, 0.5, 6], [0.5, 0.5, 6], [0.5, -0.5, 6]]}],
+    "blockers": [{"name": "ball", "shape": "mesh", "file": "sphere.obj"}],
+    "receivers": [{"name": "floor", "shape": "polygon", "vertices": [[-6, -6, 0], [6, -6, 0], [6, 6, 0], [-6, 6, 0]]}]})");
+  ASSERT_EQ(gnomon("shadow sphere.scene.json --out ball --json ball.json --quiet").code, 0);
+  const json pairs = read_json("ball.json")["pairs"];
+  ASSERT_EQ(pairs.size(), 1U);
+  EXPECT_EQ(pairs[0]["blocker"], "ball");
+  const json doubts = json::parse(gnomon("check sphere.scene.json --json -").out)["doubts"];
+  ASSERT_EQ(doubts.size(), 1U);
+  EXPECT_THAT(doubts[0], HasSubstr("it is a convex solid but for dents"));
+}
+
 }  // namespace
 }  // namespace gnomon
