@@ -8,9 +8,13 @@
 
 namespace gnomon {
 
-FileText file_text(const std::filesystem::path& file, std::size_t limit) {
+FileText file_text(const std::filesystem::path& file, std::size_t limit, FileKind kind) {
   std::error_code error;
-  if (std::filesystem::is_directory(file, error)) return {{}, "a folder"};
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  if (std::filesystem::is_directory(status)) return {{}, "a folder"};
+  if (kind == FileKind::regular && std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    return {{}, "a pipe, socket or device"};
+  }
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   if (!stream) {

@@ -96,7 +96,7 @@ void doubt_emission(const PolygonSoup& soup, const std::filesystem::path& folder
 PolygonSoup soup_of(const JsonNode& node, const MeshSource& source, const std::filesystem::path& folder) {
   const std::filesystem::path path = checked_path(node, source.file);
   const SoupReader reader = soup_reader(node, path);
-  const FileText text = file_text(folder / path, largest_mesh_file);
+  const FileText text = file_text(folder / path, largest_mesh_file, FileKind::regular);
   if (!text.problem.empty()) source.refuse("beside the scene", text.problem, "a mesh file");
   PolygonSoup soup = reader(text.text, source);
   doubt_emission(soup, (folder / path).parent_path(), soup.doubts);

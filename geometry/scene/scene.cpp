@@ -69,7 +69,9 @@ std::optional<Box3> default_clip_box(const Scene& scene) {
   const Box3 box{{min.x - growth, min.y - growth, min.z - depth}, {max.x + growth, max.y + growth, max.z + depth}};
   if (!is_interval(box.min.x, box.max.x) || !is_interval(box.min.y, box.max.y)) return std::nullopt;
   if (scene.dimension != 2 && !is_interval(box.min.z, box.max.z)) return std::nullopt;
-  return box;
+  // Sides may be finite where their difference is not.
+  const double diagonal = std::hypot(box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z);
+  return std::isfinite(diagonal) ? std::optional(box) : std::nullopt;
 }
 
 }  // namespace gnomon

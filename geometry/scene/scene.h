@@ -91,7 +91,7 @@ struct Scene {
 
 /// The box by which unbounded volumes are cut unless the user gives one: the bounding box of everything in the scene,
 /// receivers included, grown on every side by half its diagonal. Computed in doubles; exact from there on.
-/// Nothing if a coordinate overflows or the box has no interior. In dimension 2, z runs from 0 to 0.
+/// Nothing if a coordinate or the diagonal overflows or the box has no interior. In dimension 2, z runs from 0 to 0.
 std::optional<Box3> default_clip_box(const Scene& scene);
 
 }  // namespace gnomon
