@@ -109,6 +109,15 @@ Point3 ReceiverGrid::point(std::size_t index) const {
   return {origin_.x + s * u_.x + t * v_.x, origin_.y + s * u_.y + t * v_.y, origin_.z + s * u_.z + t * v_.z};
 }
 
+bool ReceiverGrid::has_finite_points() const {
+  // What is added on the way is largest at the ends of rows.
+  for (const std::size_t corner : {std::size_t{0}, std::size_t{shape_[0]} - 1, size() - shape_[0], size() - 1}) {
+    const Point3 p = point(corner);
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) return false;
+  }
+  return true;
+}
+
 bool ReceiverGrid::is_on_receiver(const Point3& point) const {
   const Point2 p = flattened(point, normal_);
   bool left = false;

@@ -28,6 +28,9 @@ class ReceiverGrid {
   /// The point of that index, as doubles.
   Point3 point(std::size_t index) const;
 
+  /// False where the rectangle is so wide that places in it overflow.
+  bool has_finite_points() const;
+
   /// Of unit length.
   Point3 normal() const { return normal_; }
 

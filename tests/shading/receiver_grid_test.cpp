@@ -16,6 +16,17 @@ ConvexPolygon polygon(std::vector<Point3> points) {
   return ConvexPolygon::from_points(std::move(points));
 }
 
+TEST(ReceiverGrid, KnowsWherePlacesOverflow) {
+  const auto square = [](double half) {
+    return ConvexPolygon::from_points({{-half, -half, 0}, {half, -half, 0}, {half, half, 0}, {-half, half, 0}});
+  };
+  EXPECT_TRUE(ReceiverGrid(square(1), {3, 3}).has_finite_points());
+  EXPECT_TRUE(ReceiverGrid(square(1e-300), {1, 1}).has_finite_points());
+  EXPECT_TRUE(ReceiverGrid(square(8e307), {3, 3}).has_finite_points());
+  EXPECT_FALSE(ReceiverGrid(square(1.7e308), {3, 3}).has_finite_points());
+  EXPECT_FALSE(ReceiverGrid(square(1e308), {1, 1}).has_finite_points());
+}
+
 TEST(ReceiverGrid, OfARectangleRunsAlongItsFirstSideThenInwards) {
   const ReceiverGrid grid(polygon({{-2, 1, 0}, {2, 1, 0}, {2, 5, 0}, {-2, 5, 0}}), {4, 2});
   ASSERT_EQ(grid.size(), 8u);
