@@ -1,5 +1,9 @@
 #include "viz/block_file.h"
 
+#include <vtkAbstractArray.h>
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
+#include <vtkCellData.h>
 #include <vtkErrorCode.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
@@ -8,10 +12,13 @@
 #include <vtkXMLPolyDataWriter.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
+#include <algorithm>
 #include <stdexcept>
+#include <system_error>
 
 #include "viz/file_name.h"
 #include "viz/quiet_vtk.h"
+#include "viz/result_error.h"
 
 namespace gnomon::viz {
 namespace {
@@ -33,6 +40,32 @@ void write_with(vtkPointSet& data, const StagedFile& file) {
   throw std::runtime_error("cannot write " + file.target.string() + ": " + why);
 }
 
+bool refers_to_points(vtkCellArray* cells, vtkIdType points) {
+  const auto cell = vtk::TakeSmartPointer(cells->NewIterator());
+  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell()) {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    cell->GetCurrentCell(size, ids);
+    if (!std::all_of(ids, ids + size, [&](vtkIdType id) { return id >= 0 && id < points; })) return false;
+  }
+  return true;
+}
+
+/// VTK believes what a file says of itself. Empty if it is sound.
+std::string defect_of(vtkPolyData& data) {
+  const vtkIdType points = data.GetNumberOfPoints();
+  for (vtkCellArray* cells : {data.GetVerts(), data.GetLines(), data.GetPolys(), data.GetStrips()}) {
+    if (!cells->IsValid() || !refers_to_points(cells, points)) return "a cell has a point that is not there";
+  }
+  vtkCellData& arrays = *data.GetCellData();
+  for (int i = 0; i < arrays.GetNumberOfArrays(); ++i) {
+    if (arrays.GetAbstractArray(i)->GetNumberOfTuples() != data.GetNumberOfCells()) {
+      return "an array does not have a number for each cell";
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string block_file_name(const Block& block) {
@@ -50,15 +83,21 @@ void write_data(vtkPointSet& data, const StagedFile& file) {
 }
 
 vtkSmartPointer<vtkPolyData> read_surface(const std::filesystem::path& file) {
+  const std::string start = "cannot read " + file.string() + ": ";
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(file, ignored))) {
+    throw ResultError(start + "there is no regular file");
+  }
   const QuietVtk quiet;
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(file.c_str());
   reader->Update();
   if (reader->GetErrorCode() != vtkErrorCode::NoError || !quiet.words().empty()) {
-    throw std::runtime_error("cannot read " + file.string() + ": " + quiet.words());
+    throw ResultError(start + quiet.words());
   }
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->ShallowCopy(reader->GetOutput());
+  if (const std::string defect = defect_of(*data); !defect.empty()) throw ResultError(start + defect);
   return data;
 }
 

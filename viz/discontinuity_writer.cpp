@@ -1,13 +1,12 @@
 #include "viz/discontinuity_writer.h"
 
-#include <algorithm>
-
 #include "geometry/errors.h"
 #include "viz/block_file.h"
 #include "viz/discontinuity_blocks.h"
+#include "viz/generation.h"
 #include "viz/manifest.h"
+#include "viz/result_folder.h"
 #include "viz/staged_folder.h"
-#include "viz/stale_files.h"
 #include "viz/tree_file.h"
 #include "viz/view_script.h"
 
@@ -20,11 +19,15 @@ std::vector<fs::path> write_discontinuities(const DiscontinuityResult& result, D
   if (result.scene == nullptr) throw PreconditionError("write_discontinuities: a result without a scene");
   const std::string stem = output == DiscontinuityOutput::receivers ? "receivers" : "discontinuities";
   const std::vector<viz::Block> blocks = viz::discontinuity_blocks(result);
+  const std::string generation = viz::generation(blocks);
+  viz::mark_generation(blocks, generation);
   viz::StagedFolder folder(directory);
   viz::ManifestEntries entries;
+  entries.command = stem;
+  entries.generations = {generation};
   std::vector<viz::TreeLeaf> leaves;
   for (const viz::Block& block : blocks) {
-    entries.blocks.push_back({&block, {}});
+    entries.blocks.push_back({&block, {}, generation});
     if (block.empty()) continue;
     entries.blocks.back().files.push_back(viz::block_file_name(block));
     viz::write_data(*block.data, folder.add(entries.blocks.back().files.back()));
@@ -34,22 +37,13 @@ std::vector<fs::path> write_discontinuities(const DiscontinuityResult& result, D
   for (const OutputFormat format : formats) {
     const std::string file = stem + "." + std::string(name(format));
     entries.roots.push_back(file);
-    const viz::Fields fields = viz::leaf_fields(frame, false);
+    const viz::Fields fields = viz::root_fields(frame, generation);
     folder.add_text(file, format == OutputFormat::vtpc ? viz::partitioned_xml(leaves, fields)
                                                        : viz::multiblock_xml(leaves, fields));
   }
   folder.add_text("view.py", viz::view_script());
   entries.files = folder.files();
-  folder.add_text("manifest.json", viz::manifest_text(frame, entries));
-  const std::vector<std::string> earlier = viz::earlier_files(directory);
-  folder.publish();
-  viz::remove_stale(directory, earlier, folder.files());
-
-  std::vector<fs::path> files(entries.roots.begin(), entries.roots.end());
-  for (const std::string& file : folder.files()) {
-    if (std::count(entries.roots.begin(), entries.roots.end(), file) == 0) files.emplace_back(file);
-  }
-  return files;
+  return viz::publish_result(folder, viz::manifest_text(frame, entries), stem, entries.roots);
 }
 
 }  // namespace gnomon

@@ -9,11 +9,13 @@
 #include <vtkXMLImageDataWriter.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "viz/field_data.h"
 #include "viz/quiet_vtk.h"
 #include "viz/staged_folder.h"
+#include "viz/xml.h"
 
 namespace gnomon {
 namespace {
@@ -21,7 +23,7 @@ namespace {
 template <class Array, class Values>
 void add_array(vtkImageData& data, const std::string& name, const Values& values) {
   vtkNew<Array> array;
-  array->SetName(name.c_str());
+  array->SetName(viz::xml_escaped(name).c_str());  // VTK writes names as they are
   array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
   std::copy(values.begin(), values.end(), array->GetPointer(0));
   data.GetPointData()->AddArray(array);
@@ -49,6 +51,14 @@ double step(double low, double high, std::uint32_t count) {
   return count == 1 ? high - low : (high - low) / (count - 1);
 }
 
+/// Steps are smallest, beside a double's digits, at the end that is farther from zero.
+bool has_distinct_places(double origin, double spacing, std::uint32_t count) {
+  const double last = origin + static_cast<double>(count - 1) * spacing;
+  if (!std::isfinite(origin) || !std::isfinite(last) || !std::isfinite(spacing)) return false;
+  if (count == 1) return true;  // and in the plane no spacing along z
+  return origin + spacing > origin && last > origin + static_cast<double>(count - 2) * spacing;
+}
+
 }  // namespace
 
 PointGrid PointGrid::in_box(const std::array<std::uint32_t, 3>& shape, const Box3& box) {
@@ -57,6 +67,11 @@ PointGrid PointGrid::in_box(const std::array<std::uint32_t, 3>& shape, const Box
   return {shape,
           {start(a.x, b.x, shape[0]), start(a.y, b.y, shape[1]), start(a.z, b.z, shape[2])},
           {step(a.x, b.x, shape[0]), step(a.y, b.y, shape[1]), step(a.z, b.z, shape[2])}};
+}
+
+bool PointGrid::has_distinct_points() const {
+  return has_distinct_places(origin.x, spacing.x, shape[0]) && has_distinct_places(origin.y, spacing.y, shape[1]) &&
+         has_distinct_places(origin.z, spacing.z, shape[2]);
 }
 
 Point3 PointGrid::point(std::size_t index) const {

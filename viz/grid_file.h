@@ -21,6 +21,9 @@ struct PointGrid {
   /// From corner to corner of the box; a single point along an axis lies in the middle.
   static PointGrid in_box(const std::array<std::uint32_t, 3>& shape, const Box3& box);
 
+  /// True if all points are finite and each differs from the next: steps may vanish beside large coordinates.
+  bool has_distinct_points() const;
+
   std::size_t size() const { return std::size_t{shape[0]} * shape[1] * shape[2]; }
 
   /// The point of that index, in the very doubles that VTK makes of origin and spacing.

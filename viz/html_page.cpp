@@ -121,10 +121,16 @@ Json json(const Legend& legend) {
   return list;
 }
 
-/// A text inside a script element, which "</" would end.
-std::string in_script(std::string text) {
-  for (std::size_t at = text.find("</"); at != std::string::npos; at = text.find("</", at + 3))
-    text.insert(at + 1, "\\");
+/// JSON inside a script element: "</" would end it, and "<!--" with "<script" keep it from ending, so no "<" stays one.
+std::string in_script(const std::string& json) {
+  std::string text;
+  for (const char c : json) {
+    if (c == '<') {
+      text += "\\u003c";
+    } else {
+      text += c;
+    }
+  }
   return text;
 }
 

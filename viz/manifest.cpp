@@ -111,32 +111,78 @@ Json block_json(const WrittenBlock& written) {
                {"files", written.files},
                {"field_data", fields_json(block.fields)}};
   if (!written.files.empty()) json["file"] = written.files.front();
+  json["generation"] = written.generation;
   if (const auto names = more_cell_arrays(block); !names.empty()) json["more_cell_arrays"] = names;
   return json;
 }
 
-Box3 box_of(const Json& sides) {
+Box3 box_of(const Json& sides, const std::filesystem::path& file) {
   const auto side = [&](std::size_t i) { return sides.at(i).get<double>(); };
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double width = side(axis + 3) - side(axis);
+    if (std::isfinite(width) && width >= 0) continue;
+    throw ResultError("cannot read " + file.string() + ": its clip_box runs from " + std::to_string(side(axis)) +
+                      " to " + std::to_string(side(axis + 3)));
+  }
   return {{side(0), side(1), side(2)}, {side(3), side(4), side(5)}};
 }
 
+ListedBlock listed_block(const Json& block) {
+  const Json& name = block.at("file");
+  return {block.at("path"), block.at("kind"), name.is_null() ? "" : name.get<std::string>(),
+          block.value("generation", "")};
+}
+
+std::string dimension_problem(const std::filesystem::path& file, int found) {
+  return "cannot read " + file.string() + ": found the dimension " + std::to_string(found) + ", expected 2 or 3";
+}
+
 Json parsed(const std::filesystem::path& file) {
+  const std::string start = "cannot read " + file.string() + ": ";
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(file, ignored))) {
+    throw ResultError(start + "no result of `gnomon shadow` lies there");
+  }
   std::ifstream in(file);
-  if (!in) throw std::runtime_error("cannot read " + file.string() + ": no result of `gnomon shadow` lies there");
+  if (!in) throw ResultError(start + "the file cannot be opened");
   try {
     Json json = Json::parse(in);
-    if (json.at("schema") != schema)
-      throw std::runtime_error("cannot read " + file.string() + ": its schema is not " + schema);
+    if (json.at("schema") != schema) throw ResultError(start + "its schema is not " + schema);
     return json;
   } catch (const Json::exception& error) {
-    throw std::runtime_error("cannot read " + file.string() + ": " + error.what());
+    throw ResultError(start + error.what());
   }
+}
+
+/// The command that wrote a result; in older manifests its roots tell.
+std::string command_of(const Json& result) {
+  const auto command = result.find("command");
+  if (command != result.end()) return command->get<std::string>();
+  for (const Json& root : result.at("roots")) return std::filesystem::path(root.get<std::string>()).stem().string();
+  return "shadow";
+}
+
+OtherResult other_result(const Json& result) {
+  return {command_of(result), result.value("generation", ""), result.at("roots").get<std::vector<std::string>>(),
+          result.at("files").get<std::vector<std::string>>()};
+}
+
+/// The result that a manifest tells of, and those that it only mentions.
+std::vector<OtherResult> results_in(const Json& manifest) {
+  std::vector<OtherResult> results = {other_result(manifest)};
+  for (const Json& other : manifest.value("others", Json::array())) results.push_back(other_result(other));
+  return results;
 }
 
 }  // namespace
 
 std::string manifest_text(const ShadowResult& result, const ManifestEntries& entries) {
-  Json json = {{"schema", schema}, {"dimension", result.scene->dimension}, {"roots", entries.roots}};
+  Json json = {{"schema", schema},
+               {"command", entries.command},
+               {"generation", entries.generations.front()},
+               {"dimension", result.scene->dimension},
+               {"roots", entries.roots}};
+  if (entries.generations.size() > 1) json["generations"] = entries.generations;
   json["field_data"] = fields_json(result_fields(result));
   json["cell_arrays"] = arrays_json();
   json["pairs"] = Json::array();
@@ -150,6 +196,17 @@ std::string manifest_text(const ShadowResult& result, const ManifestEntries& ent
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+std::string with_others(const std::string& manifest, const std::vector<OtherResult>& others) {
+  if (others.empty()) return manifest;
+  Json json = Json::parse(manifest);
+  json["others"] = Json::array();
+  for (const OtherResult& other : others) {
+    json["others"].push_back(
+        {{"command", other.command}, {"generation", other.generation}, {"roots", other.roots}, {"files", other.files}});
+  }
+  return json.dump(1) + "\n";
+}
+
 ListedResult read_manifest(const std::filesystem::path& directory) {
   const std::filesystem::path file = directory / "manifest.json";
   const Json json = parsed(file);
@@ -157,24 +214,34 @@ ListedResult read_manifest(const std::filesystem::path& directory) {
     ListedResult result;
     result.scene = json.at("field_data").at("scene").at(0);
     result.dimension = json.at("dimension");
-    result.clip_box = box_of(json.at("field_data").at("clip_box"));
+    if (result.dimension != 2 && result.dimension != 3) throw ResultError(dimension_problem(file, result.dimension));
+    result.clip_box = box_of(json.at("field_data").at("clip_box"), file);
     for (const Json& pair : json.at("pairs")) result.complete = result.complete && pair.at("supported").get<bool>();
-    for (const Json& block : json.at("blocks")) {
-      const Json& name = block.at("file");
-      result.blocks.push_back({block.at("path"), block.at("kind"), name.is_null() ? "" : name.get<std::string>()});
-    }
+    for (const Json& block : json.at("blocks")) result.blocks.push_back(listed_block(block));
     return result;
   } catch (const Json::exception& error) {
-    throw std::runtime_error("cannot read " + file.string() + ": " + error.what());
+    throw ResultError("cannot read " + file.string() + ": " + error.what());
   }
 }
 
-std::vector<std::string> earlier_files(const std::filesystem::path& directory) {
+std::vector<OtherResult> results_in_folder(const std::filesystem::path& directory) {
   try {
-    return parsed(directory / "manifest.json").at("files").get<std::vector<std::string>>();
+    return results_in(parsed(directory / "manifest.json"));
   } catch (const std::exception&) {
     return {};
   }
+}
+
+EarlierResults earlier_results(const std::filesystem::path& directory, const std::string& command) {
+  EarlierResults earlier;
+  for (OtherResult& result : results_in_folder(directory)) {
+    if (result.command == command) {
+      earlier.files.insert(earlier.files.end(), result.files.begin(), result.files.end());
+    } else {
+      earlier.others.push_back(std::move(result));
+    }
+  }
+  return earlier;
 }
 
 }  // namespace gnomon::viz

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "geometry/point.h"
+#include "viz/result_error.h"
 #include "viz/shadow_result.h"
 
 namespace gnomon {
@@ -72,11 +73,11 @@ void render_scene(const ShadowResult& result, const std::filesystem::path& file,
 
 /// Draws the same picture of a folder that a command has written as vtm or vtpc.
 ///
-/// Throws: as render_scene; std::runtime_error naming the file that could not be read.
+/// Throws: as render_scene; ResultError naming the file that cannot be read, or is of another run than the manifest.
 void render_result(const std::filesystem::path& directory, const std::filesystem::path& file,
                    const PictureOptions& options = {});
 
-/// The dimension of the scene of such a folder, 2 or 3. Throws: std::runtime_error naming the file.
+/// The dimension of the scene of such a folder, 2 or 3. Throws: ResultError naming the file.
 int result_dimension(const std::filesystem::path& directory);
 
 }  // namespace gnomon

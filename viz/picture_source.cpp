@@ -1,11 +1,12 @@
 #include "viz/picture_source.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "viz/block.h"
 #include "viz/block_file.h"
+#include "viz/generation.h"
 #include "viz/manifest.h"
+#include "viz/own_files.h"
 
 namespace gnomon::viz {
 namespace {
@@ -19,6 +20,18 @@ std::string title(const std::string& scene) {
     if (name.ends_with(ending)) name.resize(name.size() - ending.size());
   }
   return name;
+}
+
+/// A leaf, if it is what the manifest says.
+vtkSmartPointer<vtkPolyData> surface_of(const fs::path& directory, const ListedBlock& block) {
+  if (const std::string why = way_out(directory, block.file); !why.empty()) {
+    throw ResultError("cannot read " + (directory / block.file).string() + ": " + why);
+  }
+  auto surface = read_surface(directory / block.file);
+  if (generation_of(*surface) == block.generation) return surface;
+  throw ResultError("cannot read " + directory.string() + ": " + block.file +
+                    " is of another run than manifest.json; a run was stopped before it had put everything into its "
+                    "place, so let gnomon write the folder again");
 }
 
 }  // namespace
@@ -38,11 +51,11 @@ PictureSource picture_source(const fs::path& directory) {
   PictureSource source{title(listed.scene), listed.complete, listed.dimension, listed.clip_box, {}};
   for (const ListedBlock& block : listed.blocks) {
     if (fs::path(block.file).extension() != ".vtp") continue;
-    source.blocks.push_back({block.path, block.kind, read_surface(directory / block.file)});
+    source.blocks.push_back({block.path, block.kind, surface_of(directory, block)});
   }
   if (source.blocks.empty()) {
-    throw std::runtime_error("cannot draw " + directory.string() +
-                             ": it holds no surfaces; write it with `gnomon shadow --format vtm` or vtpc");
+    throw ResultError("cannot draw " + directory.string() +
+                      ": it holds no surfaces; write it with `gnomon shadow --format vtm` or vtpc");
   }
   return source;
 }

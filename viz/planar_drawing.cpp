@@ -12,7 +12,7 @@ namespace {
 
 constexpr double edge_width = 1.5;
 /// With more lines than this, names would cover the drawing.
-constexpr std::size_t most_labels = 12;
+constexpr std::size_t most_names = 12;
 /// On shorter lines names would hide each other.
 constexpr double shortest_labelled = 120;
 constexpr double line_width = 2;
@@ -85,7 +85,7 @@ void add_lines(PlanarDrawing& drawing, const PictureSource& source) {
 
 void add_names(PlanarDrawing& drawing, const PictureSource& source) {
   const std::map<std::string, NamedLine> lines = named_lines(source);
-  if (lines.size() > most_labels) return;
+  if (lines.size() > most_names) return;
   for (const auto& [name, line] : lines) {
     const bool separating = line.kind == FacetKind::separating_blocker_plane;
     const Point3 way = line.segment.end - line.segment.start;

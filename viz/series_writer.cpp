@@ -1,6 +1,5 @@
 #include "viz/series_writer.h"
 
-#include <algorithm>
 #include <charconv>
 #include <map>
 #include <string>
@@ -9,10 +8,11 @@
 #include "geometry/errors.h"
 #include "viz/block.h"
 #include "viz/block_file.h"
+#include "viz/generation.h"
 #include "viz/manifest.h"
 #include "viz/path_text.h"
+#include "viz/result_folder.h"
 #include "viz/staged_folder.h"
-#include "viz/stale_files.h"
 #include "viz/tree_file.h"
 #include "viz/view_script.h"
 #include "viz/xml.h"
@@ -39,10 +39,10 @@ std::string number_text(double value) {
 }  // namespace
 
 struct SeriesWriter::Writing {
-  fs::path directory;
   viz::StagedFolder folder;
   std::vector<double> times = {};
-  std::map<std::string, std::string> first_files = {};  ///< by the block's name
+  std::vector<std::string> generations = {};
+  std::map<std::string, viz::WrittenBlock> first_files = {};  ///< by the block's name; the block itself is gone
   std::string manifest = {};
 
   /// The blocks of one time as a tree below its folder.
@@ -54,27 +54,28 @@ struct SeriesWriter::Writing {
       const std::string file = viz::block_file_name(block);
       viz::write_data(*block.data, folder.add(place + file));
       leaves.push_back({block.path, file});
-      first_files.emplace(viz::joined(block.path), place + file);
+      first_files.emplace(viz::joined(block.path), viz::WrittenBlock{nullptr, {place + file}, generations.back()});
     }
-    folder.add_text(place + "shadow.vtm", viz::multiblock_xml(leaves, viz::result_fields(result)));
+    folder.add_text(place + "shadow.vtm", viz::multiblock_xml(leaves, viz::root_fields(result, generations.back())));
   }
 
   /// What the manifest says if this time is the last one.
   std::string manifest_of(const ShadowResult& result, const std::vector<viz::Block>& blocks) const {
-    viz::ManifestEntries entries{{root}, folder.files(), {}};
+    viz::ManifestEntries entries{"shadow", generations, {root}, folder.files(), {}};
     entries.files.insert(entries.files.end(), {root, "view.py"});
     for (const viz::Block& block : blocks) {
-      entries.blocks.push_back({&block, {}});
-      const auto file = first_files.find(viz::joined(block.path));
-      if (file != first_files.end()) entries.blocks.back().files.push_back(file->second);
+      const auto first = first_files.find(viz::joined(block.path));
+      entries.blocks.push_back(first != first_files.end() ? first->second
+                                                          : viz::WrittenBlock{nullptr, {}, generations.back()});
+      entries.blocks.back().block = &block;
     }
     return viz::manifest_text(result, entries);
   }
 
   std::string collection() const {
-    std::string text =
-        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
-        "  <Collection>\n";
+    std::string text = "<?xml version=\"1.0\"?>\n<!-- gnomon " GNOMON_VERSION
+                       " -->\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+                       "  <Collection>\n";
     for (std::size_t i = 0; i < times.size(); ++i) {
       text += "    <DataSet timestep=\"" + number_text(times[i]) + "\" part=\"0\" file=\"" +
               viz::xml_escaped(step_folder(i)) + "shadow.vtm\"/>\n";
@@ -83,8 +84,7 @@ struct SeriesWriter::Writing {
   }
 };
 
-SeriesWriter::SeriesWriter(fs::path directory)
-    : writing_(new Writing{directory, viz::StagedFolder(std::move(directory))}) {}
+SeriesWriter::SeriesWriter(fs::path directory) : writing_(new Writing{viz::StagedFolder(std::move(directory))}) {}
 
 SeriesWriter::~SeriesWriter() = default;
 
@@ -94,6 +94,8 @@ void SeriesWriter::add(double time, const ShadowResult& result) {
     throw PreconditionError("SeriesWriter: times that do not grow");
   }
   const std::vector<viz::Block> blocks = viz::shadow_blocks(result);
+  writing_->generations.push_back(viz::generation(blocks));
+  viz::mark_generation(blocks, writing_->generations.back());
   writing_->add_tree(result, blocks);
   writing_->times.push_back(time);
   writing_->manifest = writing_->manifest_of(result, blocks);
@@ -104,15 +106,7 @@ std::vector<fs::path> SeriesWriter::publish() {
   viz::StagedFolder& folder = writing_->folder;
   folder.add_text(root, writing_->collection());
   folder.add_text("view.py", viz::view_script());
-  folder.add_text("manifest.json", writing_->manifest);
-  const std::vector<std::string> earlier = viz::earlier_files(writing_->directory);
-  folder.publish();
-  viz::remove_stale(writing_->directory, earlier, folder.files());
-  std::vector<fs::path> files = {root};
-  for (const std::string& file : folder.files()) {
-    if (file != root) files.emplace_back(file);
-  }
-  return files;
+  return viz::publish_result(folder, writing_->manifest, "shadow", {root});
 }
 
 }  // namespace gnomon

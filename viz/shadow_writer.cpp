@@ -8,9 +8,10 @@
 #include "geometry/errors.h"
 #include "viz/block.h"
 #include "viz/block_file.h"
+#include "viz/generation.h"
 #include "viz/manifest.h"
+#include "viz/result_folder.h"
 #include "viz/staged_folder.h"
-#include "viz/stale_files.h"
 #include "viz/surface_files.h"
 #include "viz/tree_file.h"
 #include "viz/view_script.h"
@@ -63,7 +64,7 @@ std::vector<viz::TreeLeaf> tree_leaves(const Writing& writing) {
 void write_root(Writing& writing, OutputFormat format) {
   if (format == OutputFormat::stl) return;
   const std::string file = "shadow." + std::string(name(format));
-  const viz::Fields fields = viz::result_fields(writing.result);
+  const viz::Fields fields = viz::root_fields(writing.result, writing.entries.generations.front());
   writing.entries.roots.push_back(file);
   switch (format) {
     case OutputFormat::vtm:
@@ -91,7 +92,6 @@ void write_all(Writing& writing, const WriteOptions& options) {
   }
   if (tree) writing.folder.add_text("view.py", viz::view_script());
   writing.entries.files = writing.folder.files();
-  writing.folder.add_text("manifest.json", viz::manifest_text(writing.result, writing.entries));
 }
 
 }  // namespace
@@ -109,19 +109,15 @@ std::optional<OutputFormat> output_format(std::string_view name) {
 std::vector<fs::path> write_shadow(const ShadowResult& result, const fs::path& directory, const WriteOptions& options) {
   if (result.scene == nullptr) throw PreconditionError("write_shadow: a result without a scene");
   const std::vector<viz::Block> blocks = viz::shadow_blocks(result);
+  const std::string generation = viz::generation(blocks);
+  viz::mark_generation(blocks, generation);
   viz::StagedFolder folder(directory);
   Writing writing{result, blocks, folder, {}};
-  for (const viz::Block& block : blocks) writing.entries.blocks.push_back({&block, {}});
+  writing.entries.command = "shadow";
+  writing.entries.generations = {generation};
+  for (const viz::Block& block : blocks) writing.entries.blocks.push_back({&block, {}, generation});
   write_all(writing, options);
-  const std::vector<std::string> earlier = viz::earlier_files(directory);
-  folder.publish();
-  viz::remove_stale(directory, earlier, folder.files());
-
-  std::vector<fs::path> files(writing.entries.roots.begin(), writing.entries.roots.end());
-  for (const std::string& file : folder.files()) {
-    if (std::ranges::count(writing.entries.roots, file) == 0) files.emplace_back(file);
-  }
-  return files;
+  return viz::publish_result(folder, viz::manifest_text(result, writing.entries), "shadow", writing.entries.roots);
 }
 
 }  // namespace gnomon

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -36,13 +37,26 @@ struct WriteOptions {
 ///
 /// All files are first written completely to a folder beside their places and then renamed into place, block files
 /// first, manifest.json last: a run that fails or is killed before that leaves an earlier result as it was. Block files
-/// keep their names from run to run. Files of an earlier result that are not written again are removed, files of others
-/// are left alone.
+/// keep their names from run to run. Files of an earlier result that are not written again are removed, results of
+/// other commands and files of others are left alone. Where two processes write into one folder, the last result is
+/// there whole.
 ///
 /// Requires: result.scene is not null.
 /// Returns:  the files written, relative to the folder, those to be opened by a user first.
-/// Throws:   std::runtime_error naming the file that could not be written, and why; PreconditionError.
+/// Throws:   std::runtime_error naming the file that could not be written, and why: a file that is not ours among
+/// others;
+///           PreconditionError.
 std::vector<std::filesystem::path> write_shadow(const ShadowResult& result, const std::filesystem::path& directory,
                                                 const WriteOptions& options = {});
+
+/// Makes sure, before anything is computed, that no `manifest.json` or `view.py` of others stands where a result is to
+/// be written. A folder that is not there is fine.
+///
+/// Throws: std::runtime_error naming the file.
+void require_result_folder(const std::filesystem::path& directory);
+
+/// The roots of those results in a folder that other commands have written of another scene, or with another box, than
+/// the last one: what they show of lights, blockers and receivers is no longer theirs. None if there is no manifest.
+std::vector<std::string> outdated_roots(const std::filesystem::path& directory);
 
 }  // namespace gnomon

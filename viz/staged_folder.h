@@ -36,10 +36,16 @@ class StagedFolder {
   /// All files added, relative to the folder.
   const std::vector<std::string>& files() const { return files_; }
 
+  const std::filesystem::path& directory() const { return directory_; }
+
  private:
   std::filesystem::path directory_;
   std::filesystem::path staging_;
   std::vector<std::string> files_;
 };
+
+/// Removes the hidden folders of all StagedFolders of this process, which is about to end before its time: waits until
+/// none of them is renaming files, and lets none begin to from then on. May be called by any thread, and once.
+void remove_staging_folders();
 
 }  // namespace gnomon::viz

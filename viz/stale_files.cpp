@@ -1,19 +1,17 @@
 #include "viz/stale_files.h"
 
-#include <algorithm>
 #include <set>
 #include <system_error>
+
+#include "viz/own_files.h"
 
 namespace gnomon::viz {
 namespace {
 
 namespace fs = std::filesystem;
 
-bool may_be_removed(const fs::path& file) {
-  if (file.is_absolute() || std::ranges::count(file, fs::path("..")) > 0) return false;
-  const std::string first = file.begin()->string();
-  return file == "view.py" || first.starts_with("shadow") || first.starts_with("receivers.vt") ||
-         first.starts_with("discontinuities.vt");
+bool may_be_removed(const fs::path& directory, const fs::path& file) {
+  return may_be_ours(file) && way_out(directory, file).empty() && says_it_is_ours(directory / file);
 }
 
 }  // namespace
@@ -23,7 +21,7 @@ void remove_stale(const fs::path& directory, const std::vector<std::string>& ear
   const std::set<std::string> kept(now.begin(), now.end());
   std::error_code ignored;
   for (const std::string& file : earlier) {
-    if (kept.contains(file) || !may_be_removed(file)) continue;
+    if (kept.contains(file) || !may_be_removed(directory, file)) continue;
     fs::remove(directory / file, ignored);
     for (fs::path folder = fs::path(file).parent_path(); !folder.empty(); folder = folder.parent_path()) {
       if (!fs::is_empty(directory / folder, ignored) || ignored) break;

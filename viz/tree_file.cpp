@@ -24,9 +24,9 @@ std::string attribute(const std::string& name, std::size_t value) {
 }
 
 std::string vtk_file(const std::string& type, const std::string& body, const Fields& fields) {
-  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<VTKFile" + attribute("type", type) +
-         " version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt32\">\n  <" + type + ">\n" + body + "  </" +
-         type + ">\n" + field_data_xml(fields) + "</VTKFile>\n";
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- gnomon " GNOMON_VERSION " -->\n<VTKFile" +
+         attribute("type", type) + " version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt32\">\n  <" + type +
+         ">\n" + body + "  </" + type + ">\n" + field_data_xml(fields) + "</VTKFile>\n";
 }
 
 /// The leaves below one node. They share the first `depth` parts of their paths; siblings come one after the other.

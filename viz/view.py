@@ -62,6 +62,30 @@ def root_file(folder, manifest):
     raise SystemExit("view.py: the result has no .vtm, .vtpc or .pvd file")
 
 
+def generations_of(reader):
+    """What the leaves say of the run that wrote them; none where they lie on another machine."""
+    reader.UpdatePipeline()
+    algorithm = reader.GetClientSideObject()
+    data = algorithm.GetOutputDataObject(0) if algorithm else None
+    found = set()
+    if data is not None and data.IsA("vtkCompositeDataSet"):
+        leaves = data.NewIterator()
+        while not leaves.IsDoneWithTraversal():
+            array = leaves.GetCurrentDataObject().GetFieldData().GetAbstractArray("generation")
+            found.add(array.GetValue(0) if array else "")
+            leaves.GoToNextItem()
+    return found
+
+
+def check_generations(reader, manifest):
+    """manifest.json takes its place last: leaves of another run are what a run that was stopped has left."""
+    if "generation" in manifest:
+        known = manifest.get("generations", [manifest["generation"]])
+        if not generations_of(reader) <= set(known):
+            raise SystemExit("view.py: some files are of another run than manifest.json; a run was stopped before it "
+                             "had put everything into its place, so let gnomon write the folder again")
+
+
 # The same for `discontinuity_order`: where the light jumps, its first derivative does, or its second.
 ORDERS = [
     (0, "D0", [0.20, 0.00, 0.05]),
@@ -339,6 +363,7 @@ def main(arguments):
     manifest = read_manifest(folder)
     file = root_file(folder, manifest)
     reader = simple.OpenDataFile(file, registrationName=os.path.basename(file))
+    check_generations(reader, manifest)
     view = new_view()
     simple.Hide(reader, view)
 

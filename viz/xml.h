@@ -5,18 +5,8 @@
 
 namespace gnomon::viz {
 
-/// The text as the value of an XML attribute.
-inline std::string xml_escaped(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '&' || c == '<' || c == '>' || c == '"' || byte < 32) {
-      escaped += "&#" + std::to_string(byte) + ";";
-    } else {
-      escaped += c;
-    }
-  }
-  return escaped;
-}
+/// The text as the value of an XML attribute, or as text of an element, of HTML too. What XML cannot hold (control
+/// characters, bytes that are not UTF-8, U+FFFE and U+FFFF) becomes U+FFFD.
+std::string xml_escaped(std::string_view text);
 
 }  // namespace gnomon::viz

@@ -7,6 +7,8 @@
 #include <vtkPointData.h>
 #include <vtkXMLImageDataReader.h>
 
+#include <array>
+#include <limits>
 #include <stdexcept>
 
 #include "tests/viz/temporary_folder.h"
@@ -34,6 +36,21 @@ TEST(GridFile, ReadsBackPointForPointWithItsValues) {
     EXPECT_EQ(data->GetPointData()->GetArray("error_bound_lamp")->GetTuple1(i), values.error_bound[k]);
   }
   EXPECT_EQ(grid.point(5), (Point3{1, 0.3, 1}));
+}
+
+TEST(GridFile, KnowsGridsWhosePointsFallTogetherOrOverflow) {
+  const double large = 1e308, tiny = std::numeric_limits<double>::denorm_min();
+  const auto distinct = [](std::array<std::uint32_t, 3> shape, const Box3& box) {
+    return PointGrid::in_box(shape, box).has_distinct_points();
+  };
+  EXPECT_TRUE(distinct({3, 3, 3}, {{-1, -1, -1}, {1, 1, 1}}));
+  EXPECT_TRUE(distinct({3, 3, 1}, {{-1, -1, 0}, {1, 1, 0}}));
+  EXPECT_TRUE(distinct({2, 2, 2}, {{0, 0, 0}, {tiny, 1e-300, large}}));
+  EXPECT_FALSE(distinct({3, 3, 3}, {{-large, -large, -large}, {large, large, large}}));
+  EXPECT_FALSE(distinct({1, 1, 1}, {{-large, 0, 0}, {large, 1, 1}}));
+  EXPECT_FALSE(distinct({3, 2, 2}, {{0, 0, 0}, {tiny, 1, 1}}));
+  EXPECT_FALSE(distinct({2, 100, 2}, {{0, 1e16, 0}, {1, 1e16 + 4, 1}}));
+  EXPECT_FALSE(distinct({2, 2, 2}, {{0, 0, 0}, {1, 1, 0}}));
 }
 
 TEST(GridFile, NamesTheFileThatCannotBeWritten) {

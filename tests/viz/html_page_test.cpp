@@ -53,6 +53,18 @@ TEST_F(HtmlPage, HoldsThreeJsItsControlsAndNoReferenceToAnythingElse) {
   EXPECT_FALSE(std::regex_search(page, std::regex("(src|href)\\s*=|https?://|import\\s|fetch\\(|url\\(")));
 }
 
+/// Names that end a script element for the parser, or keep it from ending, and what else a page could take for its own.
+TEST_F(HtmlPage, HoldsNamesThatLookLikeMarkup) {
+  for (const std::string name : {"<!--<script>", "<!--", "<script>", "]]>", "{{script}}", "&lt;", "\"'`${}", "--!>"}) {
+    const std::string page = page_of(SampleResult(name).result());
+    const std::size_t start = page.find("<script id=\"scene\"");
+    const std::string inside =
+        page.substr(page.find('>', start) + 1, page.find("</script>", start) - page.find('>', start) - 1);
+    EXPECT_EQ(inside.find('<'), std::string::npos) << name;
+    EXPECT_THAT(nlohmann::json::parse(inside).dump(), HasSubstr(nlohmann::json(name).dump().substr(1, 3))) << name;
+  }
+}
+
 TEST_F(HtmlPage, NamesThePlaneOfEveryFacetOfAVolume) {
   const nlohmann::json scene = scene_of(page_of(SampleResult().result()));
   std::size_t volumes = 0;
