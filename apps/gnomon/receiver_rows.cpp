@@ -14,7 +14,7 @@ constexpr std::size_t most_rows = 1024;
 /// True of the thin solid between vertices that are coplanar but for rounding.
 bool stands_for_polygon(const ConvexSolid& solid) {
   const auto plane = polygon_plane(solid.points());
-  return plane && plane->within_tolerance;
+  return plane && plane->flatness <= Flatness::rounded;
 }
 
 }  // namespace

@@ -28,10 +28,10 @@ ConvexPart part_of(std::span<const Point3> points, std::string name, Ring piece)
 /// The solid that a convex mesh is; vertices in no facet do not count.
 ConvexPart hull_of_facets(const Mesh& mesh, const std::string& name) {
   std::vector<bool> used(mesh.vertices.size());
-  for (const Indices& facet : mesh.facets) {
+  for (const Ring& facet : mesh.facets) {
     for (const std::uint32_t i : facet) used[i] = true;
   }
-  Indices indices;
+  Ring indices;
   for (std::uint32_t i = 0; i < used.size(); ++i) {
     if (used[i]) indices.push_back(i);
   }

@@ -112,7 +112,7 @@ std::string shortest(double value) {
   return {digits.data(), end};
 }
 
-std::string listed(std::initializer_list<std::string_view> words) {
+std::string listed(std::span<const std::string_view> words) {
   std::string result;
   for (const std::string_view word : words) result += (result.empty() ? "\"" : ", \"") + std::string(word) + '"';
   return result;

@@ -66,6 +66,6 @@ std::string shortest(double value);
 std::string few_digits(double value);
 
 /// Words in quotes, separated by commas.
-std::string listed(std::initializer_list<std::string_view> words);
+std::string listed(std::span<const std::string_view> words);
 
 }  // namespace gnomon

@@ -69,7 +69,7 @@ void check_receiver_law(Domain domain) {
   LightVisibility visibility(drawn.light, obstacles);
   for (int k = 0; k < points_of_a_case; ++k) {
     if (k > 0) drawn.point = draw_law_point(points);
-    const ReceiverPoint receiver = testing::draw_receiver(drawn);
+    const ReceiverPoint receiver = test_support::draw_receiver(drawn);
     const Visibility exact = exact_received(drawn.light, obstacles.obstacles(), receiver);
     const Irradiance e = irradiance.received(receiver, double_normal_of(receiver));
     RC_LOG() << laws::description(drawn) << name(exact.region) << ' ' << e.value << ' ' << e.error_bound;

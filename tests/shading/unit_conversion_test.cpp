@@ -10,7 +10,7 @@
 namespace gnomon {
 namespace {
 
-using testing::Dice;
+using test_support::Dice;
 
 const Light bulb = PointLight{{0, 0, 4}};
 const Light tube = LinearLight{{0, 0, 4}, {1, 0, 4}};

@@ -98,13 +98,13 @@ TEST_F(CheckCommand, PrintsNothingForAGoodSceneWhenQuiet) {
 }
 
 TEST_F(CheckCommand, EndsWith3NamingFileElementAndExpectation) {
-  write("repeated.scene.json", R"({"gnomon": 1, "dimension": 3,
+  write("straight.scene.json", R"({"gnomon": 1, "dimension": 3,
     "lights": [{"name": "bulb", "shape": "point", "position": [0,0,5]}],
-    "blockers": [{"name": "leaf", "shape": "polygon", "vertices": [[0,0,0], [1,0,0], [1,0,0], [0,1,0]]}]})");
-  const Outcome run = gnomon("check repeated.scene.json");
+    "blockers": [{"name": "leaf", "shape": "polygon", "vertices": [[0,0,0], [1,0,0], [2,0,0]]}]})");
+  const Outcome run = gnomon("check straight.scene.json");
   EXPECT_EQ(run.code, 3);
   EXPECT_THAT(run.out, IsEmpty());
-  EXPECT_THAT(run.err, AllOf(HasSubstr("repeated.scene.json"), HasSubstr("/blockers/0"), HasSubstr("leaf")));
+  EXPECT_THAT(run.err, AllOf(HasSubstr("straight.scene.json"), HasSubstr("/blockers/0"), HasSubstr("leaf")));
 }
 
 TEST_F(CheckCommand, TellsASceneThatHoldsAMeshFile) {

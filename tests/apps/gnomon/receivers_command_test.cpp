@@ -63,6 +63,8 @@ TEST_F(ReceiversCommand, RemovesItsOwnOldFilesAndNothingElse) {
   ASSERT_EQ(gnomon("receivers floor.scene.json --out mesh").code, 0);
   write("mesh/notes.txt", "mine");
   ASSERT_EQ(gnomon("discontinuities floor.scene.json --out mesh").code, 0);
+  EXPECT_TRUE(exists("mesh/shadow/receivers/lamp/floor/faces.vtp"));
+  ASSERT_EQ(gnomon("receivers floor.scene.json --receiver ceiling --format vtpc --out mesh").code, 0);
   EXPECT_FALSE(exists("mesh/receivers.vtm"));
   EXPECT_FALSE(exists("mesh/shadow/receivers/lamp/floor/faces.vtp"));
   EXPECT_TRUE(exists("mesh/discontinuities.vtm"));

@@ -30,7 +30,8 @@ class ReportedFiles : public Program {
     const Outcome run = gnomon("receivers " + scene + " --json -");
     EXPECT_EQ(run.code, 0) << scene << ": " << run.err;
     Area sum;
-    for (const json& receiver : json::parse(run.out)["receivers"]) {
+    const json document = json::parse(run.out);
+    for (const json& receiver : document["receivers"]) {
       sum.nearest += receiver["areas"][region]["double"].get<double>();
       sum.exact = receiver["areas"][region].value("exact", "");
     }
@@ -158,7 +159,8 @@ TEST_F(ReportedFiles, OfAFootprintGiveTheShadowOnTheSideAwayFromTheSun) {
   EXPECT_EQ(area(folder + "ring_closed.scene.json").exact, "4000") << "of the roof alone";
   const Outcome run = gnomon("regions " + folder + "main.scene.json --json - --at " + folder + "points.csv");
   std::vector<std::string> regions;
-  for (const json& point : json::parse(run.out)["points"]) regions.push_back(point["lights"][0]["region"]);
+  const json document = json::parse(run.out);
+  for (const json& point : document["points"]) regions.push_back(point["lights"][0]["region"]);
   EXPECT_EQ(regions, (std::vector<std::string>{"umbra", "lit", "umbra", "lit"}));
   EXPECT_THAT(gnomon("check " + folder + "sun_by_angles.scene.json").err, HasSubstr("unknown key \"altitude\""));
 }

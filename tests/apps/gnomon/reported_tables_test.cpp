@@ -25,7 +25,8 @@ class ReportedTables : public Program {
 
   std::vector<double> fractions(const Outcome& run) const {
     std::vector<double> result;
-    for (const json& point : json::parse(run.out)["points"]) {
+    const json document = json::parse(run.out);
+    for (const json& point : document["points"]) {
       if (point.contains("lights")) result.push_back(point["lights"][0]["visible_fraction"]);
     }
     return result;

@@ -5,7 +5,7 @@
 #include "apps/proof/laws/draw.h"
 #include "apps/proof/laws/sight.h"
 
-namespace gnomon::testing {
+namespace gnomon::test_support {
 namespace {
 
 using laws::ExactPlane;
@@ -159,4 +159,4 @@ ReceiverPoint draw_receiver(const SightCase& drawn) {
   return {drawn.point, FacingNormal{normal}};
 }
 
-}  // namespace gnomon::testing
+}  // namespace gnomon::test_support

@@ -5,7 +5,7 @@
 #include "geometry/region.h"
 #include "geometry/visibility/receiver_front.h"
 
-namespace gnomon::testing {
+namespace gnomon::test_support {
 
 /// What a receiver's point ought to receive, by the definition.
 struct ExpectedReceived {
@@ -21,4 +21,4 @@ ExpectedReceived expected_received(const laws::SightCase& drawn, const ReceiverP
 /// A normal or a facet for the point of a case: often at right angles to planes of the case, or in them.
 ReceiverPoint draw_receiver(const laws::SightCase& drawn);
 
-}  // namespace gnomon::testing
+}  // namespace gnomon::test_support

@@ -16,9 +16,9 @@ using laws::BlockerKind;
 using laws::Domain;
 using laws::LightKind;
 using laws::SightCase;
-using testing::draw_receiver;
-using testing::expected_received;
-using testing::ExpectedReceived;
+using test_support::draw_receiver;
+using test_support::expected_received;
+using test_support::ExpectedReceived;
 
 const std::vector<LightKind> lights_of_receivers = {LightKind::point, LightKind::direction, LightKind::segment,
                                                     LightKind::polygon, LightKind::rounded_polygon};
