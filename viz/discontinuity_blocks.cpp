@@ -29,6 +29,7 @@ std::string event_text(const DiscontinuityResult& result, const std::string& lig
   };
   const std::string kind(gnomon::name(name.kind));
   if (name.kind == EventKind::coplanar_edges) return "edge " + text(name.vertex) + ", edge " + text(name.edge);
+  if (name.kind == EventKind::horizon) return "horizon edge " + text(name.vertex) + ", edge " + text(name.edge);
   if (name.kind != EventKind::vertex_edge) return kind + " " + text(name.edge);
   return "vertex " + text(name.vertex) + ", edge " + text(name.edge);
 }

@@ -40,8 +40,9 @@ void add_options(CLI::App& app, ReceiversOptions& options) {
   add_quiet_option(app, options);
   app.footer(
       "Each receiver is divided by every discontinuity but those of three edges in line. Faces are labelled lit,\n"
-      "penumbra, umbra, unlit (behind or in the plane of the light), or unresolved_eee where three edges in line may\n"
-      "separate penumbra and umbra inside a face. Areas are in squares of the scene's unit of length.\n\n"
+      "penumbra, umbra, unlit, or unresolved_eee where three edges in line may separate penumbra and umbra inside a\n"
+      "face. Only what of the light lies strictly before a receiver's plane counts. Unlit is what has nothing of it\n"
+      "before, or sees its back or its edge. Areas are in squares of the scene's unit of length.\n\n"
       "Examples:\n"
       "  gnomon receivers examples/cornell_box.scene.json --light ceiling_lamp --receiver floor\n"
       "  gnomon receivers examples/figure_4_22.scene.json --out floor_mesh --json -\n");

@@ -101,11 +101,20 @@ class CoplanarPairs {
     if (!plane || is_between_faces(*plane, near)) return;
     if (far_edge && (is_between_faces(*plane, *far_edge) || !cuts_light(*plane))) return;
     if (!meets_receivers(*plane)) return;
+    if (far_edge && scene_.kind == LightKind::linear) return take_through_light_point(near, far, *plane);
     find_apexes(*plane);
     light_section_ = {far.a, far.b};
     if (far_edge) find_light_section(*plane);
     take_wedges(near, far, {});
     if (far_edge) take_wedges_from_light(near, far);
+    forget_apexes();
+  }
+
+  /// The plane of two blockers' edges has one point of a linear light: all lines that matter come from there.
+  void take_through_light_point(EdgeId near, const FarEdge& far, const PlaneIds& plane) {
+    point_count_ = scene_.points.size();
+    find_light_section(plane);
+    take_wedges_from_light(near, far);
     forget_apexes();
   }
 
@@ -265,7 +274,7 @@ void for_each_coplanar_wedge(EventScene& scene, const std::function<void(const W
     const auto is_served = [&](PointId p) { return scene.is_two_sided || scene.light_side(p) > 0; };
     if (!edge.may_be_seen || (!is_served(edge.a) && !is_served(edge.b))) continue;
     pairs.with_light_edges(e);
-    if (scene.kind == LightKind::area) pairs.with_blocker_edges(e);
+    pairs.with_blocker_edges(e);
   }
   if (scene.kind != LightKind::area) return;
   for (std::uint32_t f = 0; f < scene.cutting_facets.size(); ++f) pairs.in_plane_of(f);

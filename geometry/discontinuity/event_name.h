@@ -24,6 +24,7 @@ enum class EventKind : std::uint8_t {
   coplanar_plane,  ///< a flat blocker, or a facet of a solid, is seen from its side in front of the light
   contact,         ///< a blocker touches the receiver or passes through it
   light_plane,     ///< the light shows its edge
+  horizon,         ///< seen along the receiver's plane, two elements that meet it are in line with the light
   border,          ///< the receiver ends
 };
 
@@ -40,8 +41,8 @@ constexpr std::string_view name(Extremal extremal) {
 }
 
 constexpr std::string_view name(EventKind kind) {
-  constexpr std::string_view names[] = {"vertex_edge", "coplanar_edges", "coplanar_plane",
-                                        "contact",     "light_plane",    "border"};
+  constexpr std::string_view names[] = {"vertex_edge", "coplanar_edges", "coplanar_plane", "contact",
+                                        "light_plane", "horizon",        "border"};
   return names[static_cast<int>(kind)];
 }
 
@@ -51,8 +52,8 @@ constexpr std::string_view name(EventKind kind) {
 /// After: [P93] §4.2.3.2.
 struct EventName {
   EventKind kind = EventKind::vertex_edge;
-  EventElement vertex;  ///< of coplanar_edges the edge nearer to the light; of all but vertex_edge else as `edge`
-  EventElement edge;    ///< of a facet or a flat blocker: its index in `index`
+  EventElement vertex;  ///< of coplanar_edges and horizon the element nearer to the light; of other kinds as `edge`
+  EventElement edge;    ///< of a facet or a flat blocker its index; of horizon an edge, as `vertex`
   std::uint8_t order = 2;
   Extremal extremal = Extremal::none;
 

@@ -72,7 +72,6 @@ class EventScene::Builder {
     }
     add_cuts();
     add_cutting_facets();
-    find_backings();
     scene_.shape_boxes = BoxHierarchy(std::move(boxes_));
     scene_.receiver_boxes = BoxHierarchy(std::move(receiver_boxes_));
   }
@@ -171,30 +170,6 @@ class EventScene::Builder {
       if (k == 0 || scene_.kind == LightKind::area) scene_.points.push_back(cut->ends[k]);
     }
     scene_.cutting_facets.push_back(std::move(facet));
-  }
-
-  void find_backings() {
-    const auto sorted = [](std::vector<PointId> loop) {
-      std::sort(loop.begin(), loop.end());
-      return loop;
-    };
-    std::map<std::vector<PointId>, std::vector<ShapeId>> solids;
-    for (ShapeId s = 0; s < scene_.shapes.size(); ++s) {
-      for (const auto& loop : scene_.shapes[s].facets) solids[sorted(loop)].push_back(s);
-    }
-    for (Shape& receiver : scene_.receivers) {
-      const auto& c = receiver.corners;
-      const auto found = solids.find(sorted(c));
-      if (found == solids.end()) continue;
-      for (const ShapeId s : found->second) {
-        const auto& corners = scene_.shapes[s].corners;
-        const bool is_behind = std::any_of(corners.begin(), corners.end(), [&](PointId p) {
-          return std::find(c.begin(), c.end(), p) == c.end() &&
-                 orientation(scene_.points[c[0]], scene_.points[c[1]], scene_.points[c[2]], scene_.points[p]) < 0;
-        });
-        if (is_behind) receiver.backing = s;
-      }
-    }
   }
 
   void add_vertex(PointId id, const EventElement& name, ShapeId shape) {

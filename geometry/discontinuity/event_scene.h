@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -49,7 +48,6 @@ struct Shape {
   std::vector<std::vector<PointId>> facets;  ///< of a solid: loops, counterclockwise seen from outside
   bool is_in_front = true;                   ///< some corner lies strictly in front of the light's plane, ...
   bool is_behind = false;                    ///< ... some strictly behind
-  std::optional<ShapeId> backing{};          ///< of a receiver: the solid on its back whose facet it is
 };
 
 /// A blocker's vertex.

@@ -26,21 +26,23 @@ std::vector<ExactVector> vertices_of(const ReceiverMesh::Data& data, const MeshF
 /// Finds the regions of faces, by intervals where these tell, and spreads them across edges that do not change them.
 class FaceLabels {
  public:
-  FaceLabels(const EventScene& scene, const VertexShadows& shadows, std::uint32_t receiver, ReceiverMesh::Data& data,
-             ReceiverSight& sight)
+  FaceLabels(const EventScene& scene, const VertexShadows& shadows, std::uint32_t receiver, const LightBefore& light,
+             ReceiverMesh::Data& data, ReceiverSight& sight)
       : scene_(scene),
         shadows_(shadows),
-        quick_(scene, shadows, receiver),
+        light_(light),
+        quick_(scene, shadows, receiver, light),
         data_(data),
         sight_(sight),
         is_labelled_(data.faces.size()) {}
 
   void label_all() {
     for (std::uint32_t f = 0; f < data_.faces.size(); ++f) {
+      if (light_.is_empty()) set(f, ReceiverRegion::unlit);
       if (is_labelled_[f]) continue;
       const std::optional<QuickAnswer> quick = quick_answer(f);
       set(f, quick ? static_cast<ReceiverRegion>(quick->region) : asked_region(f));
-      if (quick && quick_.is_light_in_front()) spread(f, *quick);
+      if (quick && light_.is_whole()) spread(f, *quick);
     }
   }
 
@@ -128,7 +130,7 @@ class FaceLabels {
   }
 
   /// Whether one blocker hides all of the light from every vertex of the face, so from all of its hull; nothing where
-  /// that is not known of some vertex of the light.
+  /// that is not known of some vertex of the light, or does not matter of one in or behind the receiver's plane.
   std::optional<bool> hides_light_from(std::uint32_t f, ShapeId shape) const {
     const CGAL::Protect_FPU_rounding<true> upward;
     const auto n = static_cast<std::uint32_t>(scene_.light_vertices.size());
@@ -139,7 +141,8 @@ class FaceLabels {
       const std::uint32_t v = start_of(data_, use);
       const PointEnclosure near = data_.plane.spatial(data_.arrangement.near_point(v));
       for (std::uint32_t l = 0; l < n; ++l) {
-        if (!shadows_.holds(l, shape, near, [&] { return data_.plane.spatial(data_.point(v)); })) return false;
+        if (shadows_.holds(l, shape, near, [&] { return data_.plane.spatial(data_.point(v)); })) continue;
+        return light_.is_whole() ? std::optional(false) : std::nullopt;
       }
     }
     return true;
@@ -147,6 +150,7 @@ class FaceLabels {
 
   const EventScene& scene_;
   const VertexShadows& shadows_;
+  const LightBefore& light_;
   QuickSight quick_;
   ReceiverMesh::Data& data_;
   ReceiverSight& sight_;
@@ -156,9 +160,9 @@ class FaceLabels {
 
 }  // namespace
 
-void label_faces(const EventScene& scene, const VertexShadows& shadows, std::uint32_t receiver, ReceiverSight& sight,
-                 ReceiverMesh::Data& data) {
-  FaceLabels(scene, shadows, receiver, data, sight).label_all();
+void label_faces(const EventScene& scene, const VertexShadows& shadows, std::uint32_t receiver,
+                 const LightBefore& light, ReceiverSight& sight, ReceiverMesh::Data& data) {
+  FaceLabels(scene, shadows, receiver, light, data, sight).label_all();
 }
 
 }  // namespace gnomon::event

@@ -10,12 +10,7 @@ class PlaneTraces {
  public:
   PlaneTraces(const EventScene& scene, std::uint32_t receiver, const ReceiverPlane& plane,
               std::vector<NamedSegment>& segments)
-      : scene_(scene), receiver_(scene.receivers[receiver]), plane_(plane), segments_(segments) {
-    for (const LightVertex& v : scene_.light_vertices) {
-      const int s = side(scene_.points[v.point]);
-      light_behind_ = light_behind_ || s < 0;
-    }
-  }
+      : scene_(scene), receiver_(scene.receivers[receiver]), plane_(plane), segments_(segments) {}
 
   void append_contacts() {
     for (const ShapeId s : shapes_near_plane()) {
@@ -118,8 +113,7 @@ class PlaneTraces {
   void append_flat_contact(ShapeId s) {
     const Shape& shape = scene_.shapes[s];
     const auto [in_front, behind] = sides_of(shape.corners);
-    if (in_front || behind) return add_section(shape.corners, contact(s, 0));
-    if (light_behind_) add_outline(shape.corners, contact(s, 0));
+    if (in_front) add_section(shape.corners, contact(s, 0));
   }
 
   void append_solid_contact(ShapeId s) {
@@ -129,7 +123,7 @@ class PlaneTraces {
       for (std::uint32_t f = 0; f < shape.facets.size(); ++f) add_section(shape.facets[f], contact(s, f));
       return;
     }
-    if (behind && !light_behind_) return;
+    if (!in_front) return;
     for (std::uint32_t f = 0; f < shape.facets.size(); ++f) {
       const auto [above, below] = sides_of(shape.facets[f]);
       if (!above && !below) {
@@ -144,7 +138,6 @@ class PlaneTraces {
   const Shape& receiver_;
   const ReceiverPlane& plane_;
   std::vector<NamedSegment>& segments_;
-  bool light_behind_ = false;
 };
 
 }  // namespace

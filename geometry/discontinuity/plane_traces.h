@@ -17,7 +17,7 @@ struct NamedSegment {
 };
 
 /// Appends to `segments`, not yet cut by the receiver:
-/// - where blockers touch the receiver with an area, stand on it with an edge, or pass through it;
+/// - where blockers that reach before the receiver stand on it with a facet or an edge, or pass through it;
 /// - where it meets the light's plane.
 /// Exactness: exact.
 void append_plane_traces(const EventScene& scene, std::uint32_t receiver, const ReceiverPlane& plane,

@@ -133,40 +133,20 @@ bool VertexShadows::holds(std::uint32_t light_vertex, ShapeId shape, const Point
   return count > 0;
 }
 
-QuickSight::QuickSight(const EventScene& scene, const VertexShadows& shadows, std::uint32_t receiver)
-    : scene_(scene), shadows_(shadows), receiver_(scene.receivers[receiver]), known_(scene.shapes.size(), 0) {
+bool QuickSight::is_before_plane(PointId p) const {
   const auto& c = receiver_.corners;
-  for (const LightVertex& v : scene.light_vertices) {
-    const int s = orientation(scene.points[c[0]], scene.points[c[1]], scene.points[c[2]], scene.points[v.point]);
-    light_sides_.push_back(s);
-    light_in_front_ = light_in_front_ && s > 0;
-    light_behind_ = light_behind_ && s < 0;
-  }
+  if (p == c[0] || p == c[1] || p == c[2]) return false;
+  return orientation(scene_.points[c[0]], scene_.points[c[1]], scene_.points[c[2]], scene_.points[p]) > 0;
 }
 
-/// True if the shape and the light lie on different sides of the receiver's plane.
+/// True if nothing of the shape lies before the receiver's plane.
 bool QuickSight::hides_nothing(ShapeId s) {
   if (known_[s] == 0) {
-    const auto& c = receiver_.corners;
-    bool in_front = false, behind = false;
-    for (const PointId p : scene_.shapes[s].corners) {
-      const bool own = p == c[0] || p == c[1] || p == c[2];
-      const int side =
-          own ? 0 : orientation(scene_.points[c[0]], scene_.points[c[1]], scene_.points[c[2]], scene_.points[p]);
-      in_front = in_front || side > 0;
-      behind = behind || side < 0;
-    }
-    const bool apart = (light_in_front_ && !in_front) || (light_behind_ && !behind && in_front);
-    known_[s] = apart ? 2 : 1;
+    const auto& corners = scene_.shapes[s].corners;
+    const bool may_hide = std::any_of(corners.begin(), corners.end(), [&](PointId p) { return is_before_plane(p); });
+    known_[s] = may_hide ? 1 : 2;
   }
   return known_[s] == 2;
-}
-
-VertexShadows::Answer QuickSight::ask(std::uint32_t l, ShapeId shape, const PointEnclosure& p) const {
-  using enum VertexShadows::Answer;
-  if (shape != receiver_.backing) return shadows_.ask(l, shape, p);
-  // What lies behind the facet is hidden by the solid, what lies before it is not.
-  return light_sides_[l] < 0 ? hidden : light_sides_[l] > 0 ? seen : unknown;
 }
 
 int QuickSight::side(const PointEnclosure& p, PointId a, PointId b, PointId c) const {
@@ -230,10 +210,6 @@ int side_of_shape(const Shape& shape, const ShapeEdge& e, const Side& side) {
 
 /// The line from p through v passes beside the shape.
 bool QuickSight::leaves_open(const Shape& shape, const PointEnclosure& p, PointId v) const {
-  if (receiver_.backing && &shape == &scene_.shapes[*receiver_.backing]) {
-    const auto& c = receiver_.corners;
-    return orientation(scene_.points[c[0]], scene_.points[c[1]], scene_.points[c[2]], scene_.points[v]) > 0;
-  }
   const auto side_at = [&](const ShapeEdge& e, PointId q) { return side(p, e.a, e.b, q); };
   return std::any_of(shape.edges.begin(), shape.edges.end(), [&](const ShapeEdge& e) {
     const int at_v = side_at(e, v);
@@ -255,7 +231,7 @@ bool QuickSight::shows_vertex(const PointEnclosure& p, std::span<const ShapeId> 
     if (hides_nothing(s)) continue;
     const Shape& shape = scene_.shapes[s];
     for (const PointId v : shape.corners) {
-      if (!is_in_light(v, p, before) || !is_on_outline(shape, p, v)) continue;
+      if (!is_in_light(v, p, before) || !is_before_plane(v) || !is_on_outline(shape, p, v)) continue;
       if (std::all_of(near.begin(), near.end(), [&](ShapeId other) {
             return other == s || hides_nothing(other) || leaves_open(scene_.shapes[other], p, v);
           })) {
@@ -274,7 +250,6 @@ std::optional<QuickAnswer> QuickSight::region(const PointEnclosure& p, std::span
     if (before == 0) return std::nullopt;
     if (before < 0 && !scene_.is_two_sided) return QuickAnswer{Region::unlit, true};
   }
-  if (light_behind_ && receiver_.backing) return QuickAnswer{Region::umbra, true};
   const std::size_t n = scene_.light_vertices.size();
   std::vector<ShapeId> cover;
   std::optional<std::uint32_t> any_hidden, any_seen;
@@ -283,7 +258,7 @@ std::optional<QuickAnswer> QuickSight::region(const PointEnclosure& p, std::span
     bool hidden = false, seen = true;
     for (const ShapeId s : near) {
       if (hides_nothing(s)) continue;
-      const VertexShadows::Answer answer = ask(l, s, p);
+      const VertexShadows::Answer answer = shadows_.ask(l, s, p);
       if (answer == VertexShadows::Answer::hidden) {
         hidden = true;
         cover.push_back(s);
@@ -291,8 +266,9 @@ std::optional<QuickAnswer> QuickSight::region(const PointEnclosure& p, std::span
       }
       seen = seen && answer == VertexShadows::Answer::seen;
     }
-    if (hidden) any_hidden = l;
-    if (!hidden && seen) any_seen = l;
+    // What lies in or behind the plane is not received, whether hidden or not.
+    if (hidden && light_.sides[l] > 0) any_hidden = l;
+    if (!hidden && seen && light_.sides[l] > 0) any_seen = l;
     all_known = all_known && (hidden || seen);
   }
   if (any_hidden && any_seen) return QuickAnswer{Region::penumbra, true, {}, {{*any_seen, *any_hidden}}};
@@ -305,7 +281,7 @@ std::optional<QuickAnswer> QuickSight::region(const PointEnclosure& p, std::span
     for (const ShapeId s : cover) {
       bool hides_all = true;
       for (std::uint32_t l = 0; hides_all && l < n; ++l) {
-        hides_all = ask(l, s, p) == VertexShadows::Answer::hidden;
+        hides_all = shadows_.ask(l, s, p) == VertexShadows::Answer::hidden;
       }
       if (hides_all) return QuickAnswer{Region::umbra, false, s};
     }
@@ -316,8 +292,8 @@ std::optional<QuickAnswer> QuickSight::region(const PointEnclosure& p, std::span
     if (hides_nothing(s) || is_beside_light(scene_.shapes[s], p)) continue;
     all_beside = false;
     const std::vector<PointId>& corners = scene_.shapes[s].corners;
-    if (before != 0 &&
-        std::any_of(corners.begin(), corners.end(), [&](PointId v) { return is_in_light(v, p, before); })) {
+    if (before != 0 && std::any_of(corners.begin(), corners.end(),
+                                   [&](PointId v) { return is_in_light(v, p, before) && is_before_plane(v); })) {
       return QuickAnswer{Region::penumbra, true};
     }
   }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/discontinuity/event_scene.h"
+#include "geometry/discontinuity/light_before.h"
 #include "geometry/discontinuity/receiver_plane.h"
 #include "geometry/region.h"
 
@@ -66,21 +67,23 @@ class VertexShadows {
   std::vector<Range> ranges_;  ///< light vertex by light vertex
 };
 
-/// Answers for one receiver.
+/// Answers for one receiver, some of the light before its plane.
 class QuickSight {
  public:
-  QuickSight(const EventScene& scene, const VertexShadows& shadows, std::uint32_t receiver);
+  QuickSight(const EventScene& scene, const VertexShadows& shadows, std::uint32_t receiver, const LightBefore& light)
+      : scene_(scene),
+        shadows_(shadows),
+        receiver_(scene.receivers[receiver]),
+        light_(light),
+        known_(scene.shapes.size(), 0) {}
 
   /// The region of a point of the receiver, given the blockers that may hide something from it; nothing if intervals do
   /// not tell.
   std::optional<QuickAnswer> region(const PointEnclosure& p, std::span<const ShapeId> near);
 
-  /// True if all of the light lies strictly in front of the receiver's plane.
-  bool is_light_in_front() const { return light_in_front_; }
-
  private:
+  bool is_before_plane(PointId p) const;
   bool hides_nothing(ShapeId shape);
-  VertexShadows::Answer ask(std::uint32_t light_vertex, ShapeId shape, const PointEnclosure& p) const;
   bool is_beside_light(const Shape& shape, const PointEnclosure& p) const;
   bool is_in_light(PointId v, const PointEnclosure& p, int before) const;
   bool leaves_open(const Shape& shape, const PointEnclosure& p, PointId v) const;
@@ -91,9 +94,7 @@ class QuickSight {
   const EventScene& scene_;
   const VertexShadows& shadows_;
   const Shape& receiver_;
-  std::vector<int> light_sides_;  ///< of the receiver's plane, for each light vertex
-  bool light_in_front_ = true;
-  bool light_behind_ = true;
+  const LightBefore& light_;
   std::vector<std::int8_t> known_;  ///< of each shape: 0 not yet, 1 may hide something, 2 hides nothing
 };
 

@@ -6,13 +6,14 @@
 
 #include "geometry/discontinuity/event_range.h"
 #include "geometry/discontinuity/face_labels.h"
+#include "geometry/discontinuity/horizon_traces.h"
+#include "geometry/discontinuity/light_before.h"
 #include "geometry/discontinuity/plane_traces.h"
 #include "geometry/discontinuity/quick_sight.h"
 #include "geometry/discontinuity/receiver_mesh_data.h"
 #include "geometry/discontinuity/receiver_sight.h"
 #include "geometry/discontinuity/wedge.h"
 #include "geometry/errors.h"
-#include "geometry/visibility/visible_fraction.h"
 
 namespace gnomon {
 namespace {
@@ -71,7 +72,7 @@ std::vector<FlatPoint> flat_corners(const EventScene& scene, std::uint32_t recei
 
 /// Everything that divides a receiver, its border first.
 std::vector<FlatSegment> dividing_segments(const EventScene& scene, std::uint32_t receiver, const ReceiverPlane& plane,
-                                           const AllTraces& traces, NameTable& names) {
+                                           const event::LightBefore& light, const AllTraces& traces, NameTable& names) {
   std::vector<FlatSegment> segments;
   const std::vector<FlatPoint> corners = flat_corners(scene, receiver, plane);
   for (std::uint32_t k = 0; k < corners.size(); ++k) {
@@ -79,6 +80,7 @@ std::vector<FlatSegment> dividing_segments(const EventScene& scene, std::uint32_
     const std::uint32_t name = names.number({EventKind::border, element, element, 0, Extremal::none});
     segments.push_back({corners[k], corners[(k + 1) % corners.size()], name});
   }
+  if (light.is_empty()) return segments;
   for (const event::Trace& trace : traces.by_receiver[receiver]) {
     const FlatSegment segment{plane.flat(trace.ends[0]), plane.flat(trace.ends[1]),
                               names.number(traces.names[trace.name])};
@@ -86,6 +88,7 @@ std::vector<FlatSegment> dividing_segments(const EventScene& scene, std::uint32_
   }
   std::vector<event::NamedSegment> others;
   event::append_plane_traces(scene, receiver, plane, others);
+  event::append_horizon_traces(scene, receiver, plane, light, others);
   for (event::NamedSegment& other : others) {
     if (!event::clip(other.segment, corners)) continue;
     other.segment.name = names.number(other.name);
@@ -100,13 +103,13 @@ ReceiverPlane plane_of(const EventScene& scene, std::uint32_t receiver) {
 }
 
 std::shared_ptr<ReceiverMesh::Data> subdivision(const EventScene& scene, std::uint32_t receiver,
+                                                const ReceiverPlane& plane, const event::LightBefore& light,
                                                 const AllTraces& traces) {
   NameTable names;
   std::vector<FlatSegment> segments;
-  const ReceiverPlane plane = plane_of(scene, receiver);
   {
     const CGAL::Protect_FPU_rounding<true> upward;
-    segments = dividing_segments(scene, receiver, plane, traces, names);
+    segments = dividing_segments(scene, receiver, plane, light, traces, names);
   }
   auto data = std::make_shared<ReceiverMesh::Data>(
       ReceiverMesh::Data{plane, ReceiverArrangement(segments), {}, {}, names.take()});
@@ -186,6 +189,11 @@ EventScene prepared(const Light& light, std::span<const ConvexBlocker> blockers,
   return {light, blockers, receivers};
 }
 
+event::LightBefore light_before_plane(const EventScene& scene, std::uint32_t receiver, const ReceiverPlane& plane) {
+  const CGAL::Protect_FPU_rounding<true> upward;
+  return event::light_before(scene, scene.receivers[receiver], plane);
+}
+
 AllTraces traced(EventScene& scene) {
   const CGAL::Protect_FPU_rounding<true> upward;
   return all_traces(scene);
@@ -205,9 +213,11 @@ std::size_t ReceiverDivision::size() const {
 }
 
 ReceiverMesh ReceiverDivision::mesh(std::uint32_t receiver) const {
-  const auto made = subdivision(*data_->scene, receiver, data_->traces);
+  const ReceiverPlane plane = plane_of(*data_->scene, receiver);
+  const event::LightBefore light = light_before_plane(*data_->scene, receiver, plane);
+  const auto made = subdivision(*data_->scene, receiver, plane, light, data_->traces);
   event::ReceiverSight sight(*data_->scene, data_->light, data_->blockers, receiver, made->plane);
-  label_faces(*data_->scene, data_->shadows, receiver, sight, *made);
+  label_faces(*data_->scene, data_->shadows, receiver, light, sight, *made);
   return ReceiverMesh(made);
 }
 
@@ -216,7 +226,7 @@ std::vector<double> ReceiverDivision::visible_fractions(std::uint32_t receiver, 
   event::ReceiverSight sight(*data_->scene, data_->light, data_->blockers, receiver, plane);
   std::vector<double> fractions;
   for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
-    fractions.push_back(visible_fraction(sight.visible_from(plane.spatial(mesh.data().point(v)))).nearest);
+    fractions.push_back(sight.visible_fraction_from(plane.spatial(mesh.data().point(v))).nearest);
   }
   return fractions;
 }

@@ -76,7 +76,9 @@ struct RegionArea {
 /// A receiver, divided by all discontinuities of what it receives of one light.
 ///
 /// Definition: the faces between the traces of all events of theory section 6 but the triple-edge ones, and the
-///             receiver's border. Of a point on the receiver the limit from its front is meant.
+///             receiver's border. Of a point on the receiver the limit from its front is meant, and of the light what
+///             lies strictly before the receiver's plane: unlit where nothing does, or where the light shows its back
+///             or its edge; else lit, penumbra or umbra by how much of that is hidden. See docs/receivers.md.
 /// Exactness:  the structure, the labels and the areas are exact; coordinates are rounded once, when they leave.
 /// After:      [P93] §4.4.3, complete EV discontinuity meshing as of Heckbert and of Lischinski et al.
 class ReceiverMesh {
@@ -125,7 +127,8 @@ class ReceiverDivision {
   /// The receiver of that index, divided.
   ReceiverMesh mesh(std::uint32_t receiver) const;
 
-  /// The visible fraction at each vertex of its mesh, as visible_fraction(VisiblePart) rounds it.
+  /// The visible fraction at each vertex of its mesh, as visible_fraction(VisiblePart) rounds it: the measure of what
+  /// is seen of the light before the receiver's plane, as a share of that of all of the light.
   /// Definition: of a vertex on a discontinuity of order 0 one of the limits is meant.
   std::vector<double> visible_fractions(std::uint32_t receiver, const ReceiverMesh& mesh) const;
 

@@ -62,6 +62,13 @@ bool is_on_sightline(const ExactVector& p, const ExactVector& between, const Exa
 
 }  // namespace
 
+ReceiverSight::ReceiverSight(const EventScene& scene, const Light& light, std::span<const ConvexBlocker> blockers,
+                             std::uint32_t receiver, const ReceiverPlane& plane)
+    : scene_(scene), light_(light), blockers_(blockers), plane_(plane), known_(scene.shapes.size(), 0) {
+  const CGAL::Protect_FPU_rounding<true> upward;
+  before_ = light_before(scene, scene.receivers[receiver], plane);
+}
+
 void ReceiverSight::collect_near(const ExactVector& p) {
   collect_in_shaft({&p, 1});
 }
@@ -70,50 +77,70 @@ void ReceiverSight::collect_in_shaft(std::span<const ExactVector> face) {
   std::vector<Point3> points;
   for (const ExactVector& p : face) points.push_back({nearest_double(p.x), nearest_double(p.y), nearest_double(p.z)});
   scene_.shape_boxes.search(shaft(scene_, points), near_);
+  std::erase_if(near_, [&](ShapeId s) { return !may_hide(s); });
   std::sort(near_.begin(), near_.end());
-}
-
-std::vector<HidingCondition> ReceiverSight::hiding(ShapeId s, const ExactVector& p) const {
-  const Shape& shape = scene_.shapes[s];
-  const auto height = [&](PointId q) { return plane_.plane().height(exact_point(scene_.points[q])); };
-  const bool is_coplanar = !shape.is_solid && std::all_of(shape.corners.begin(), shape.corners.end(),
-                                                          [&](PointId q) { return height(q) == 0; });
-  if (!is_coplanar) return hiding_conditions(blockers_[s], p);
-  // In front of a flat blocker on the receiver all is hidden that lies behind.
-  const FlatPoint q = plane_.flat(p);
-  int sides[2] = {0, 0};
-  for (std::size_t k = 0; k < shape.corners.size(); ++k) {
-    const FlatPoint a = plane_.flat(exact_point(scene_.points[shape.corners[k]]));
-    const FlatPoint b = plane_.flat(exact_point(scene_.points[shape.corners[(k + 1) % shape.corners.size()]]));
-    const Rational turn = (b.x - a.x) * (q.y - a.y) - (b.y - a.y) * (q.x - a.x);
-    ++sides[turn > 0 ? 0 : 1];
-  }
-  if (sides[0] == 0 || sides[1] == 0) return {{plane_.plane(), HidingCondition::Boundary::excluded}};
-  // What nothing fulfils.
-  return {{{{}, Rational(1)}, HidingCondition::Boundary::excluded}};
 }
 
 std::vector<std::vector<HidingCondition>> ReceiverSight::hiding_of_near(const ExactVector& p) const {
   std::vector<std::vector<HidingCondition>> hidden;
-  for (const ShapeId s : near_) hidden.push_back(hiding(s, p));
+  for (const ShapeId s : near_) hidden.push_back(hiding_conditions(blockers_[s], p));
   return hidden;
 }
 
 VisiblePart ReceiverSight::visible_from(const ExactVector& p) {
   collect_near(p);
-  return visible_part(light_, hiding_of_near(p), p);
+  return seen_part(hiding_of_near(p), p);
 }
 
-/// A vertex of the light, or of a blocker in front of it, on the boundary of what is seen.
+VisibleFraction ReceiverSight::visible_fraction_from(const ExactVector& p) {
+  VisiblePart part = visible_from(p);
+  // Of a light that is seen as far as it lies before the plane the measure is not all there is.
+  if (part.region == Region::lit && !before_.is_whole()) part.region = Region::penumbra;
+  return visible_fraction(part);
+}
+
+/// Nothing that lies in or behind the receiver's plane hides light from it.
+bool ReceiverSight::may_hide(ShapeId shape) {
+  if (known_[shape] == 0) {
+    const auto& corners = scene_.shapes[shape].corners;
+    const bool is_before = std::any_of(corners.begin(), corners.end(), [&](PointId q) {
+      return plane_.plane().height(exact_point(scene_.points[q])) > 0;
+    });
+    known_[shape] = is_before ? 1 : 2;
+  }
+  return known_[shape] == 1;
+}
+
+/// The plane takes away what lies in or behind it as a blocker would; what is left are the regions of L+.
+VisiblePart ReceiverSight::seen_part(std::span<const std::vector<HidingCondition>> hidden, const ExactVector& p) const {
+  if (before_.is_empty()) return {Region::unlit, {}, {}};
+  if (before_.is_whole()) return visible_part(light_, hidden, p);
+  std::vector<std::vector<HidingCondition>> all{{{plane_.plane(), HidingCondition::Boundary::belongs}}};
+  const VisiblePart received = visible_part(light_, all, p);
+  all.insert(all.end(), hidden.begin(), hidden.end());
+  VisiblePart part = visible_part(light_, all, p);
+  if (part.region != Region::penumbra) return part;
+  const auto is_same = [](const SeenFacet& a, const SeenFacet& b) { return a.visible == b.visible; };
+  const bool is_all = part.intervals == received.intervals &&
+                      std::equal(part.facets.begin(), part.facets.end(), received.facets.begin(), is_same);
+  if (is_all) part.region = Region::lit;
+  return part;
+}
+
+/// A vertex of L+, or of a blocker in front of it, on the boundary of what is seen.
 bool ReceiverSight::shows_vertex(const VisiblePart& part, const ExactVector& p) const {
-  for (const VisiblePart::Interval& interval : part.intervals) {
-    if (interval[0] == 0 || interval[1] == 1) return true;
+  const auto is_corner = [&](const ExactVector& q) {
+    return std::any_of(before_.corners.begin(), before_.corners.end(), [&](const auto& c) { return c.point == q; });
+  };
+  if (const auto* linear = std::get_if<LinearLight>(&light_)) {
+    const ExactVector start = exact(linear->start), way = exact(linear->end) - start;
+    for (const auto& [from, to] : part.intervals) {
+      if (is_corner(start + from * way) || is_corner(start + to * way)) return true;
+    }
   }
   for (const SeenFacet& seen : part.facets) {
     for (const ExactPolygon& piece : seen.visible) {
-      for (const ExactVector& q : piece) {
-        if (std::find(seen.facet.begin(), seen.facet.end(), q) != seen.facet.end()) return true;
-      }
+      if (std::any_of(piece.begin(), piece.end(), is_corner)) return true;
     }
   }
   for (const ShapeId s : near_) {
@@ -133,8 +160,8 @@ bool ReceiverSight::shows_vertex(const VisiblePart& part, const ExactVector& p) 
 
 /// A blocker hides every vertex of the light from every vertex of the face, so all of it from all of the face.
 bool ReceiverSight::hides_light_from(ShapeId shape, std::span<const ExactVector> face) const {
-  return std::all_of(scene_.light_vertices.begin(), scene_.light_vertices.end(), [&](const LightVertex& v) {
-    const auto hidden = hiding_conditions(blockers_[shape], exact_point(scene_.points[v.point]));
+  return std::all_of(before_.corners.begin(), before_.corners.end(), [&](const auto& corner) {
+    const auto hidden = hiding_conditions(blockers_[shape], corner.point);
     return std::all_of(face.begin(), face.end(), [&](const ExactVector& p) { return hides_closed(hidden, p); });
   });
 }
@@ -143,9 +170,8 @@ bool ReceiverSight::hides_light_from(ShapeId shape, std::span<const ExactVector>
 bool ReceiverSight::is_hidden_by_one(const FaceOfReceiver& face,
                                      std::span<const std::vector<HidingCondition>> hidden) const {
   for (std::size_t i = 0; i < near_.size(); ++i) {
-    if (!std::all_of(scene_.light_vertices.begin(), scene_.light_vertices.end(), [&](const LightVertex& v) {
-          return hides_closed(hidden[i], exact_point(scene_.points[v.point]));
-        })) {
+    if (!std::all_of(before_.corners.begin(), before_.corners.end(),
+                     [&](const auto& corner) { return hides_closed(hidden[i], corner.point); })) {
       continue;
     }
     const std::optional<bool> known = face.is_hidden_by(near_[i]);
@@ -198,7 +224,7 @@ bool ReceiverSight::shows_light_to_all(std::vector<FacePiece> pieces) {
 FaceRegion ReceiverSight::region_of_face(const FaceOfReceiver& face) {
   collect_near(face.inside);
   const auto hidden = hiding_of_near(face.inside);
-  const VisiblePart part = visible_part(light_, hidden, face.inside);
+  const VisiblePart part = seen_part(hidden, face.inside);
   const bool may_change = part.region == Region::penumbra || part.region == Region::umbra;
   if (!may_change || scene_.kind == LightKind::point || scene_.kind == LightKind::direction) return {part.region, true};
   if (part.region == Region::penumbra && shows_vertex(part, face.inside)) return {part.region, true};

@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "geometry/discontinuity/event_scene.h"
+#include "geometry/discontinuity/light_before.h"
 #include "geometry/discontinuity/receiver_plane.h"
 #include "geometry/discontinuity/region_change.h"
 #include "geometry/visibility/hidden_set.h"
+#include "geometry/visibility/visible_fraction.h"
 #include "geometry/visibility/visible_part.h"
 
 namespace gnomon::event {
@@ -32,16 +34,23 @@ struct FaceOfReceiver {
 
 /// Answers for one receiver.
 ///
-/// Definition: of a point on the receiver the limit from its front is meant.
+/// Definition: of a point p on the receiver the limit from its front is meant, p + e N for e > 0 that vanishes, and of
+///             the light only L+, what lies strictly before the receiver's plane. Unlit if L+ is empty; lit if no
+///             blocker hides any of it, by measure; umbra if all of it is hidden. Segments to L+ run strictly before
+///             the plane but for p itself; so blockers without a point there are left out, and of others, if p does not
+///             lie on their outline in the plane, the limit is what the definition says of p: next to a facet on which
+///             p lies, the solid is met at once or never.
 /// Exactness:  rational arithmetic.
 class ReceiverSight {
  public:
   ReceiverSight(const EventScene& scene, const Light& light, std::span<const ConvexBlocker> blockers,
-                std::uint32_t receiver, const ReceiverPlane& plane)
-      : scene_(scene), light_(light), blockers_(blockers), receiver_(scene.receivers[receiver]), plane_(plane) {}
+                std::uint32_t receiver, const ReceiverPlane& plane);
 
-  /// What a point sees.
+  /// What a point sees of L+. The facet of an area light is all of it, intervals are shares of all of a linear one.
   VisiblePart visible_from(const ExactVector& p);
+
+  /// The measure of what a point sees of L+ as a share of that of all of the light.
+  VisibleFraction visible_fraction_from(const ExactVector& p);
 
   /// The region of a face.
   ///
@@ -54,7 +63,8 @@ class ReceiverSight {
  private:
   void collect_near(const ExactVector& p);
   void collect_in_shaft(std::span<const ExactVector> face);
-  std::vector<HidingCondition> hiding(ShapeId shape, const ExactVector& p) const;
+  bool may_hide(ShapeId shape);
+  VisiblePart seen_part(std::span<const std::vector<HidingCondition>> hidden, const ExactVector& p) const;
   bool shows_vertex(const VisiblePart& part, const ExactVector& p) const;
   std::vector<std::vector<HidingCondition>> hiding_of_near(const ExactVector& p) const;
   bool hides_light_from(ShapeId shape, std::span<const ExactVector> face) const;
@@ -66,8 +76,9 @@ class ReceiverSight {
   const EventScene& scene_;
   const Light& light_;
   std::span<const ConvexBlocker> blockers_;
-  const Shape& receiver_;
   const ReceiverPlane& plane_;
+  LightBefore before_;
+  std::vector<std::int8_t> known_;  ///< of each shape: 0 not yet, 1 may hide something, 2 hides nothing
   std::vector<std::uint32_t> near_;
 };
 

@@ -195,8 +195,8 @@ const Element& element(const std::vector<Element>& own, const std::vector<Elemen
 
 EventName pair_name(const EventScene& scene, const Wedge& wedge) {
   EventName name{EventKind::coplanar_edges, wedge.far->name, scene.edges[wedge.edge].name, 1, Extremal::none};
-  if (scene.kind == LightKind::linear) name.order = 0;
   if (!wedge.far->is_on_light) return name;
+  if (scene.kind == LightKind::linear) name.order = 0;
   for (const FaceAtEdge& face : scene.edges[wedge.edge].faces) {
     if (name.extremal == Extremal::none) name.extremal = extremal(scene, wedge, scene.shapes[face.shape]);
   }

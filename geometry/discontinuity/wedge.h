@@ -60,8 +60,9 @@ struct Trace {
 /// Traces wedges on receivers.
 ///
 /// Definition: the trace holds every point of the receiver from which vertex and edge are in line with a point of the
-///             light, in the right order, and no blocker is in between: none has a point of its (relative) inside on
-///             the open segment, or all of a neighbourhood would be. What touches the segment only does not stop it.
+///             light, in the right order, strictly before the receiver's plane, and no blocker is in between: none has
+///             a point of its (relative) inside on the open segment, or all of a neighbourhood would be. What touches
+///             the segment only does not stop it.
 /// Exactness:  exact.
 class WedgeTracer {
  public:
@@ -99,8 +100,7 @@ class WedgeTracer {
   bool collect_obstacles(Pencil& pencil, const Wedge& wedge, Cone cone);
   void trace_on(Pencil& pencil, const Wedge& wedge, Cone cone, std::uint32_t receiver, std::vector<Trace>& traces);
   bool receiver_range(Pencil& pencil, const Wedge& wedge, Cone cone, const Shape& receiver, RayRange& range);
-  void append_blocked(Pencil& pencil, const Shape& receiver, FunctionId plane, bool from_front, const RayRange& range,
-                      Cone cone);
+  void append_blocked(Pencil& pencil, FunctionId plane, const RayRange& range, Cone cone);
   FunctionId light_function(Pencil& pencil, const Wedge& wedge);
 
   const EventScene& scene_;

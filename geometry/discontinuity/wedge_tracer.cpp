@@ -273,9 +273,7 @@ bool WedgeTracer::receiver_range(Pencil& pencil, const Wedge& wedge, Cone cone, 
 }
 
 /// The lines that are blocked before they come to the receiver.
-void WedgeTracer::append_blocked(Pencil& pencil, const Shape& receiver, FunctionId plane, bool from_front,
-                                 const RayRange& range, Cone cone) {
-  static_cast<void>(receiver);
+void WedgeTracer::append_blocked(Pencil& pencil, FunctionId plane, const RayRange& range, Cone cone) {
   for (const Obstacle& obstacle : obstacles_) {
     RayRange common = range;
     if (!intersect(pencil, common, obstacle.range)) continue;
@@ -285,12 +283,7 @@ void WedgeTracer::append_blocked(Pencil& pencil, const Shape& receiver, Function
       before = before || side > 0;
       behind = behind || side < 0;
     }
-    if (!before) {
-      // A flat blocker on the receiver hides it from behind.
-      const bool lies_on_it = !behind && !scene_.shapes[obstacle.shape].is_solid;
-      if (lies_on_it && !from_front) blocked_.push_back(obstacle.range);
-      continue;
-    }
+    if (!before) continue;
     if (!behind) {
       blocked_.push_back(obstacle.range);
       continue;
@@ -328,8 +321,8 @@ void WedgeTracer::trace_on(Pencil& pencil, const Wedge& wedge, Cone cone, std::u
   const std::array<PointId, 3> corners{receiver.corners[0], receiver.corners[1], receiver.corners[2]};
   const int side = orientation(scene_.points[corners[0]], scene_.points[corners[1]], scene_.points[corners[2]],
                                scene_.points[wedge.apex]);
-  // Nothing comes through the solid behind a facet.
-  if (side == 0 || (side < 0 && receiver.backing)) return;
+  // A receiver receives with its front. Lines through an apex in its plane run along it: see horizon_traces.h.
+  if (side <= 0) return;
   std::vector<RayRange> left;
   for (RayRange part : allowed_) {
     if (intersect(pencil, part, range)) left.push_back(part);
@@ -337,7 +330,7 @@ void WedgeTracer::trace_on(Pencil& pencil, const Wedge& wedge, Cone cone, std::u
   if (left.empty()) return;
   const FunctionId plane = pencil.add_plane(corners, side);
   blocked_.clear();
-  append_blocked(pencil, receiver, plane, side > 0, range, cone);
+  append_blocked(pencil, plane, range, cone);
   subtract(pencil, blocked_, left);
   if (left.empty()) return;
   const auto& values = pencil.exact_function(plane);
