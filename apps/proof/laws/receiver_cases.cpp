@@ -22,8 +22,18 @@ Point3 draw_point(int reach, int low, int high) {
   return {x, y, double(draw(low, high))};
 }
 
-/// A rectangle or a triangle, seen counterclockwise from below.
+/// A window down to the floor or with one corner on it, which it faces: upright or leaning back.
+Points draw_window() {
+  const double y = draw(-3, 1), width = draw(1, 3), back = draw(0, 1), high = draw(1, 3);
+  const double right = once_in(3) ? draw(1, 2) : 0;
+  Points points{{-4, y, 0}, {-4, y + width, right}, {-4 - back, y + width, high + right}, {-4 - back, y, high}};
+  if (right != 0 || once_in(2)) points.erase(points.begin() + (right != 0 ? 3 : draw(2, 3)));
+  return points;
+}
+
+/// A rectangle or a triangle, seen counterclockwise from the side of the floor's middle.
 Points draw_light() {
+  if (once_in(3)) return draw_window();
   const Point3 p = draw_point(1, 5, 6);
   if (once_in(2)) {
     const double x = draw(1, 3), y = draw(1, 3);

@@ -13,7 +13,7 @@
 
 namespace gnomon::laws {
 
-/// An area light above a level floor, blockers between, and numbers that choose what is looked at.
+/// An area light above a level floor or standing on it, blockers between, and numbers that choose what is looked at.
 struct ReceiverCase {
   Light light;
   std::vector<ConvexBlocker> blockers;

@@ -147,7 +147,7 @@ std::vector<ExactPlane> named_planes(const ReceiverCase& drawn, const DividedRec
       const auto ends = named_points(name.edge, false, false, drawn.light, drawn.blockers);
       planes.push_back(plane_through(vertex[0], ends[0], ends[1]));
     }
-    if (name.kind == EventKind::coplanar_edges) {
+    if (name.kind == EventKind::coplanar_edges || name.kind == EventKind::horizon) {
       const auto ends = named_points(name.edge, false, false, drawn.light, drawn.blockers);
       for (const ExactVector& p : named_points(name.vertex, false, false, drawn.light, drawn.blockers)) {
         const ExactVector normal = cross(ends[1] - ends[0], p - ends[0]);
@@ -234,8 +234,9 @@ std::vector<Law> receiver_laws() {
            "is D0; away from contacts and the light's plane there is none."},
           standing_blockers, check_contact),
       law({"E7", "own",
-           "In a face between all traces of vertices and edges in line, of planes of coplanar edges and facets and of "
-           "the light's plane, which no three edges in line cross, one arrangement of edges is seen."},
+           "In a face between all traces of vertices and edges in line, of planes of coplanar edges and facets, of the "
+           "light's plane and of lines of sight in the receiver's, which no three edges in line cross, one arrangement "
+           "of edges is seen."},
           one_or_two_blockers, check_faces),
   };
 }
