@@ -59,6 +59,7 @@ foreach(header IN ITEMS
     geometry/visibility/fast_point_visibility.h
     geometry/visibility/fast_visibility.h
     geometry/visibility/light_visibility.h
+    geometry/visibility/receiver_front.h
     geometry/visibility/visibility.h
     shading/irradiance.h
     shading/lambert.h
@@ -68,6 +69,7 @@ foreach(header IN ITEMS
     shading/unit_conversion.h
     viz/grid_file.h
     viz/picture.h
+    viz/result_error.h
     viz/series_writer.h
     viz/shadow_result.h
     viz/shadow_writer.h)

@@ -27,10 +27,11 @@ struct RegionsOptions : CommonOptions {
 
 void add_options(CLI::App& app, RegionsOptions& options) {
   add_text(app, "SCENE", options.scene, "FILE", "Scene file")->required();
-  add_text(app, "--at", options.at, "POINTS.csv|-",
-           "Points as CSV with columns x,y,z (x,y in the plane) or x,y,z,nx,ny,nz, or so many numbers a line without a\n"
-           "header; '-' reads them from stdin. Commas, semicolons, tabs or blanks separate; further columns are\n"
-           "passed through")
+  add_text(
+      app, "--at", options.at, "POINTS.csv|-",
+      "Points as CSV with columns x,y,z (x,y in the plane) or x,y,z,nx,ny,nz, or so many numbers a line without a\n"
+      "header; '-' reads them from stdin. Commas, semicolons, tabs or blanks separate; further columns are\n"
+      "passed through")
       ->required();
   add_text(app, "--out", options.out, "FILE", "Write the CSV to this file (default: to stdout)");
   add_json_option(app, options);

@@ -28,8 +28,8 @@ struct ConvexPart {
 /// Definition: a polygon is itself, or, rounded, the solid between its vertices; a polytope is its hull. A concave
 ///             polygon `board`, one with holes or a bent one is cut along diagonals between its own vertices into
 ///             `board#0`, `board#1`, ...: see convex_partition. Facet 12 of a mesh `vase` is `vase#12`, and if it is no
-///             convex polygon `vase#12#0`, `vase#12#1`, ... Rounded pieces are solids. A convex closed mesh is one solid,
-///             `vase`, one with dents for volumes only. Another closed mesh consists of its facets here; what it
+///             convex polygon `vase#12#0`, `vase#12#1`, ... Rounded pieces are solids. A convex closed mesh is one
+///             solid, `vase`, one with dents for volumes only. Another closed mesh consists of its facets here; what it
 ///             encloses, enclosed_space tells.
 /// Returns:    at least one part; in the order of the names.
 /// Requires:   a blocker as scene files hold it: see BlockerShape.

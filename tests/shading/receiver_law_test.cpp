@@ -88,8 +88,8 @@ RC_GTEST_PROP(ReceiverLaw, IrradianceIsPositiveExactlyWhereLitOrInPenumbraNearDe
 }
 
 TEST(ReceiverLaw, WhatUnderflowsIsStillPositive) {
-  LightIrradiance bulb(PointLight{{0, 0, 1e200}}, 1e-300, PreparedObstacles({}));
-  const Irradiance e = bulb.at({0, 0, 0}, {0, 0, 1});
+  LightIrradiance lamp_of_a_point(PointLight{{0, 0, 1e200}}, 1e-300, PreparedObstacles({}));
+  const Irradiance e = lamp_of_a_point.at({0, 0, 0}, {0, 0, 1});
   EXPECT_GT(e.value, 0);
   EXPECT_LE(e.value, e.error_bound);
 }

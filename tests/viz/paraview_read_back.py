@@ -47,7 +47,10 @@ def check_block(name, data, listed, arrays):
     expect_equal(data.GetNumberOfCells(), listed["cells"], f"cells of {name}")
     expected = arrays + listed.get("more_cell_arrays", [])
     expect_equal(array_names(data.GetCellData()), expected, f"cell arrays of {name}")
-    expect_equal(sorted(array_names(data.GetFieldData())), sorted(listed["field_data"]), f"field data of {name}")
+    expected_names = sorted([*listed["field_data"], "generation"])
+    expect_equal(sorted(array_names(data.GetFieldData())), expected_names, f"field data of {name}")
+    found = data.GetFieldData().GetAbstractArray("generation")
+    expect_equal(found and found.GetValue(0), listed["generation"], f"generation of {name}")
 
 
 def check_blocks(folder, manifest):

@@ -322,9 +322,9 @@ TEST_F(ShadowCommand, NamesAPlaceThatCannotBeWritten) {
   const Outcome folder = gnomon("shadow table.scene.json --out file");
   EXPECT_EQ(folder.code, 1);
   EXPECT_THAT(folder.err, HasSubstr("file"));
-  const Outcome json = gnomon("shadow table.scene.json --json file/result.json");
-  EXPECT_EQ(json.code, 1);
-  EXPECT_THAT(json.err, HasSubstr("file"));
+  const Outcome result = gnomon("shadow table.scene.json --json file/result.json");
+  EXPECT_EQ(result.code, 1);
+  EXPECT_THAT(result.err, HasSubstr("file"));
   const Outcome onto_folder = gnomon("shadow table.scene.json --json .");
   EXPECT_EQ(onto_folder.code, 1);
   EXPECT_EQ(read("file"), "mine");

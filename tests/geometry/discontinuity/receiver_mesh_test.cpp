@@ -129,7 +129,7 @@ TEST(ReceiverMeshDegenerate, JoinedStripsLeaveNothingUnresolved) {
 TEST(ReceiverMeshDegenerate, LightAndBlockerShareAnEdge) {
   const Light light = lamp(rectangle(0, 0, 1, 1, 0, Facing::up));
   const auto wall = ConvexPolygon::from_points({{0, 0, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}});
-  const auto receiver = rectangle(-3, -3, 3, 3, 0.0625, Facing::up);
+  const auto receiver = rectangle(-3, -3, 3, 3, 0.0625, Facing::down);
   EXPECT_NE(exact_area(mesh_of(light, {wall}, receiver), ReceiverRegion::umbra), "0");
   EXPECT_GT(expect_true_mesh(light, {wall}, receiver), 150U);
 }

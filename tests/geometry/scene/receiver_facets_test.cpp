@@ -8,34 +8,34 @@ namespace {
 
 using testing::ElementsAre;
 
-std::vector<std::string> names(const std::vector<SceneReceiver>& facets) {
+std::vector<std::string> names(const std::vector<SceneReceiver>& pieces) {
   std::vector<std::string> result;
-  for (const SceneReceiver& facet : facets) result.push_back(facet.name);
+  for (const SceneReceiver& facet : pieces) result.push_back(facet.name);
   return result;
 }
 
 const ConvexPolygon triangle = ConvexPolygon::from_points({{0, 0, 0}, {2, 0, 0}, {0, 1, 0}});
 
 TEST(ReceiverFacets, APolygonIsItself) {
-  const auto facets = receiver_facets("floor", triangle, ReceiverSides::front);
-  EXPECT_THAT(names(facets), ElementsAre("floor"));
-  EXPECT_EQ(facets[0].side, "floor");
+  const auto pieces = receiver_facets("floor", triangle, ReceiverSides::front);
+  EXPECT_THAT(names(pieces), ElementsAre("floor"));
+  EXPECT_EQ(pieces[0].side, "floor");
 }
 
 TEST(ReceiverFacets, TheBackIsTurnedRoundAndBothAreCalledByTheReceiversName) {
-  const auto facets = receiver_facets("pane", triangle, ReceiverSides::both);
-  EXPECT_THAT(names(facets), ElementsAre("pane/front", "pane/back"));
-  EXPECT_THAT(facets[1].shape.points(), ElementsAre(Point3{0, 0, 0}, Point3{0, 1, 0}, Point3{2, 0, 0}));
-  EXPECT_TRUE(facets[1].is_called("pane"));
-  EXPECT_TRUE(facets[1].is_called("pane/back"));
-  EXPECT_FALSE(facets[1].is_called("pane/front"));
+  const auto pieces = receiver_facets("pane", triangle, ReceiverSides::both);
+  EXPECT_THAT(names(pieces), ElementsAre("pane/front", "pane/back"));
+  EXPECT_THAT(pieces[1].shape.points(), ElementsAre(Point3{0, 0, 0}, Point3{0, 1, 0}, Point3{2, 0, 0}));
+  EXPECT_TRUE(pieces[1].is_called("pane"));
+  EXPECT_TRUE(pieces[1].is_called("pane/back"));
+  EXPECT_FALSE(pieces[1].is_called("pane/front"));
 }
 
 TEST(ReceiverFacets, APolytopeShowsItsFacetsFromOutside) {
   const Polytope tent{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  const auto facets = receiver_facets("tent", tent, ReceiverSides::front);
-  EXPECT_THAT(names(facets), ElementsAre("tent#0", "tent#1", "tent#2", "tent#3"));
-  for (const SceneReceiver& facet : facets) {
+  const auto pieces = receiver_facets("tent", tent, ReceiverSides::front);
+  EXPECT_THAT(names(pieces), ElementsAre("tent#0", "tent#1", "tent#2", "tent#3"));
+  for (const SceneReceiver& facet : pieces) {
     const auto p = facet.shape.points();
     const Point3 u{p[1].x - p[0].x, p[1].y - p[0].y, p[1].z - p[0].z};
     const Point3 v{p[2].x - p[0].x, p[2].y - p[0].y, p[2].z - p[0].z};

@@ -28,16 +28,17 @@ const Light lights[] = {
     AreaLight{ConvexPolygon::from_points({{-1, -1, 4}, {-1, 1, 4}, {1, 1, 4}, {1, -1, 4}})},
     AreaLight{ConvexPolygon::from_points({{0.1, -0.3, 5}, {-0.7, 1.1, 5.5}, {1.3, 0.9, 4.5}}), true},
     LinearLight{{-1, 0.25, 4}, {2, 0.5, 6}}, PointLight{{0.1, 0.2, 4}}, DirectionalLight{{0.1, -0.3, -1}}};
-const ConvexBlocker blockers[] = {ConvexPolygon::from_points({{-1, -1, 2}, {1, -1, 2}, {1, 1, 2}, {-1, 1, 2}}),
-                                  ConvexPolygon::from_points({{0.1, 0.1, 1}, {1.7, -0.2, 2}, {0.3, 1.9, 1.5}}),
-                                  ConvexSolid::hull_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 2}, {1, 1, 1}})};
+const ConvexBlocker coefficient_blockers[] = {
+    ConvexPolygon::from_points({{-1, -1, 2}, {1, -1, 2}, {1, 1, 2}, {-1, 1, 2}}),
+    ConvexPolygon::from_points({{0.1, 0.1, 1}, {1.7, -0.2, 2}, {0.3, 1.9, 1.5}}),
+    ConvexSolid::hull_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 2}, {1, 1, 1}})};
 
 TEST(PlaneCoefficients, AreNegativeJustWhereTheHalfSpaceIs) {
   std::mt19937 random(19);
   const auto coordinate = [&] { return static_cast<double>(random() % 33) / 4 - 4; };
   int boundaries = 0;
   for (const Light& light : lights) {
-    for (const ConvexBlocker& blocker : blockers) {
+    for (const ConvexBlocker& blocker : coefficient_blockers) {
       const ShadowVolumes shadow = shadow_volumes(light, blocker);
       for (int i = 0; i < 400; ++i) {
         const Point3 p = i % 8 == 0 ? shadow.occlusion.half_spaces[static_cast<std::size_t>(i) % 3].plane[0]

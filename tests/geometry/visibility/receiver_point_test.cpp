@@ -186,16 +186,17 @@ TEST(RestingPoint, IsNotHiddenByTheFacetUnderItOnWhicheverSideRoundingPutsIt) {
 }
 
 TEST(RestingPoint, IsStillHiddenByWhatStandsOnTheFacet) {
-  const ConvexPolygon floor = level_square(2, 0);
-  const ConvexPolygon wall = ConvexPolygon::from_points({{0, -1, 0}, {0, 1, 0}, {0, 1, 2}, {0, -1, 2}});
+  const ConvexPolygon floor = level_square(2, 1);
+  const ConvexPolygon wall = ConvexPolygon::from_points({{0, -1, 1}, {0, 1, 1}, {0, 1, 3}, {0, -1, 3}});
   const PreparedObstacles obstacles({{floor, wall}, {}});
-  LightVisibility visibility(PointLight{{1, 0, 1}}, obstacles);
-  const ReceiverPoint p = resting_point(obstacles, {-0.5, 0, -1e-18}, {0, 0, 1});
+  LightVisibility visibility(PointLight{{1, 0, 2}}, obstacles);
+  const double below = 1 - 0x1p-53;  // an ulp under the floor
+  const ReceiverPoint p = resting_point(obstacles, {-0.5, 0, below}, {0, 0, 1});
   EXPECT_EQ(p.under, std::vector<std::uint32_t>{0});
   EXPECT_EQ(visibility.received(p).region, Region::umbra);
-  EXPECT_EQ(visibility.received(resting_point(obstacles, {0.5, 0, -1e-18}, {0, 0, 1})).region, Region::lit);
+  EXPECT_EQ(visibility.received(resting_point(obstacles, {0.5, 0, below}, {0, 0, 1})).region, Region::lit);
   // At the foot of the wall nothing but the floor lies under the point.
-  EXPECT_EQ(resting_point(obstacles, {1e-17, 0, 0}, {0, 0, 1}).under, std::vector<std::uint32_t>{0});
+  EXPECT_EQ(resting_point(obstacles, {1e-17, 0, 1}, {0, 0, 1}).under, std::vector<std::uint32_t>{0});
 }
 
 TEST(RestingPoint, FarAboveTheFacetIsNoneAndWithinRoundingOfNothing) {
