@@ -49,6 +49,9 @@ Box3 box_from_text(std::string_view text, std::size_t dimension) {
     if (!(min[axis] < max[axis]))
       throw UsageError(start + "the minimum of " + "xyz"[axis] + " is not below its maximum");
   }
+  if (!std::isfinite(std::hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2]))) {
+    throw UsageError(start + "expected a diagonal that is a double, at most 1.8e308");
+  }
   return {{min[0], min[1], min[2]}, {max[0], max[1], max[2]}};
 }
 

@@ -38,5 +38,13 @@ TEST_F(GridCommand, RefusesShapesThatAreNone) {
   }
 }
 
+TEST_F(Program, RefusesABoxWhoseDiagonalOverflows) {
+  write("overflow.scene.json", table_scene);
+  const Outcome run =
+      gnomon("grid overflow.scene.json --shape 3,3,3 --box=-1e308,-1e308,-1e308,1e308,1e308,1e308 --out grid.vti");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, testing::HasSubstr("a diagonal that is a double"));
+}
+
 }  // namespace
 }  // namespace gnomon
