@@ -8,7 +8,7 @@ if(NOT TARGET unit_tests)
   add_custom_target(unit_tests)
 endif()
 
-# Tests are compiled often and run once: less optimisation costs less than it gains. Their heavy work is in the libraries.
+# Tests are compiled often and run once, and their heavy work is in the libraries: they are optimised less.
 function(gnomon_tested name)
   gnomon_target(${name})
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
