@@ -16,6 +16,15 @@ install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 install(FILES cmake/gnomon.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME gnomon)
 install(DIRECTORY schemas DESTINATION ${CMAKE_INSTALL_DATADIR}/gnomon FILES_MATCHING PATTERN "*.schema.json")
 install(FILES viz/gnomon_reader.py DESTINATION ${CMAKE_INSTALL_DATADIR}/gnomon/paraview)
+# Pages link to each other and to the examples as they lie in the sources.
+set(gnomon_example_files FILES_MATCHING PATTERN "*.scene.json" PATTERN "*.csv" PATTERN "*.stl" PATTERN "*.license")
+install(DIRECTORY examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/gnomon/examples ${gnomon_example_files})
+install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES geometry/references.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/geometry)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR}
+  FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "*.svg")
+# `gnomon example` finds them beside the program, in a build too.
+file(COPY examples/ DESTINATION ${PROJECT_BINARY_DIR}/share/gnomon/examples ${gnomon_example_files})
 install(TARGETS gnomon_geometry gnomon_scene gnomon_shading EXPORT gnomonTargets)
 install(TARGETS gnomon_viz EXPORT gnomonVizTargets)
 foreach(header IN ITEMS
@@ -40,6 +49,7 @@ foreach(header IN ITEMS
     geometry/planar/regions_in_box.h
     geometry/planar/sight.h
     geometry/point.h
+    geometry/printed_bound.h
     geometry/region.h
     geometry/scene/convex_parts.h
     geometry/scene/scene.h
@@ -51,6 +61,7 @@ foreach(header IN ITEMS
     geometry/spatial/extremal_planes.h
     geometry/spatial/light.h
     geometry/spatial/merged_occlusion.h
+    geometry/spatial/plane_coefficients.h
     geometry/spatial/position.h
     geometry/spatial/shadow_volume.h
     geometry/spatial/volume_mesh.h
@@ -62,6 +73,7 @@ foreach(header IN ITEMS
     geometry/visibility/receiver_front.h
     geometry/visibility/visibility.h
     shading/irradiance.h
+    shading/irradiance_summary.h
     shading/lambert.h
     shading/light_irradiance.h
     shading/planar_irradiance.h

@@ -5,15 +5,23 @@ function(help_of out)
   set(${out} "${text}" PARENT_SCOPE)
 endfunction()
 
-# Lines are the program's own and stay as they are, but options and what they do become paragraphs.
+# Lines are the program's own, at most 80 columns wide, and stay as they are, at the left edge so that they fit. Options
+# and what they do become paragraphs.
 function(roff out text)
   string(REPLACE "\\" "\\(rs" text "${text}")
   string(REPLACE "-" "\\-" text "${text}")
   string(REPLACE "\n." "\n\\&." text "${text}")
   string(REPLACE "\n'" "\n\\&'" text "${text}")
-  string(REGEX REPLACE "\n            +([^ \n])" "   \\1" text "${text}")
-  string(REGEX REPLACE "\n  (\\\\-[^ \n]+( [^ \n]+)*)  +([^\n]+)" "\n.fi\n.TP\n.B \\1\n\\3\n.PP\n.nf" text "${text}")
-  set(${out} ".nf\n${text}.fi\n" PARENT_SCOPE)
+  # An option's help begins below a long name, and goes on in lines that begin far to the right.
+  string(REGEX REPLACE "\n  (\\\\-[^ \n]+( [^ \n]+)*)\n                         +([^ \n])" "\n  \\1  \\3" text "${text}")
+  set(before "")
+  while(NOT text STREQUAL before)
+    set(before "${text}")
+    string(REGEX REPLACE "(\n  \\\\-[^\n]*)\n                         +([^ \n])" "\\1 \\2" text "${text}")
+  endwhile()
+  string(REGEX REPLACE "\n  (\\\\-[^ \n]+( [^ \n]+)*)  +([^\n]+)"
+    "\n.fi\n.in\n.TP\n.B \\1\n\\3\n.PP\n.in 0\n.nf" text "${text}")
+  set(${out} ".in 0\n.nf\n${text}.fi\n.in\n" PARENT_SCOPE)
 endfunction()
 
 help_of(main)

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -9,6 +10,7 @@
 
 #include "apps/gnomon/command_line.h"
 #include "apps/gnomon/commands.h"
+#include "apps/gnomon/output_place.h"
 #include "apps/gnomon/recognised_elements.h"
 #include "apps/gnomon/scene_input.h"
 #include "apps/gnomon/scene_pairs.h"
@@ -81,21 +83,40 @@ std::string section(const std::string& title, const std::vector<RecognisedElemen
   return section(title, rows);
 }
 
-std::string check_text(const Scene& scene, const RecognisedElements& elements, const std::vector<ScenePair>& pairs) {
-  std::string text = scene_text(scene) + '\n';
-  if (const auto box = default_clip_box(scene)) text += "default clip box: " + box_text(*box, scene.dimension) + '\n';
-  text += section("lights", elements.lights) + section("blockers", elements.blockers) +
-          section("receivers", elements.receivers);
+/// The pairs that get a line: those that are not supported before the others, in file order, and not too many.
+std::vector<const ScenePair*> shown_pairs(const std::vector<ScenePair>& pairs) {
+  constexpr std::size_t most_lines = 20;
+  std::vector<const ScenePair*> shown;
+  for (const ScenePair& pair : pairs) shown.push_back(&pair);
+  std::ranges::stable_sort(shown, {}, [](const ScenePair* pair) { return pair->supported(); });
+  if (shown.size() > most_lines) shown.resize(most_lines);
+  std::ranges::sort(shown);  // all are of one list
+  return shown;
+}
+
+std::string pairs_text(const std::vector<ScenePair>& pairs) {
   std::vector<TextRow> rows;
-  rows.reserve(pairs.size());
-  for (const ScenePair& pair : pairs) {
-    rows.push_back(
-        {pair.light, pair.blocker, std::string(name(pair.position)), pair.supported() ? "supported" : pair.reason});
+  for (const ScenePair* pair : shown_pairs(pairs)) {
+    rows.push_back({pair->light, pair->blocker, std::string(name(pair->position)),
+                    pair->supported() ? "supported" : pair->reason});
   }
-  text += section(
+  std::string text = section(
       "pairs, " + std::to_string(supported_count(pairs)) + " of " + std::to_string(pairs.size()) + " supported", rows);
+  if (rows.size() < pairs.size()) {
+    text += "  and " + std::to_string(pairs.size() - rows.size()) + " more; --json FILE lists them all\n";
+  }
+  return text;
+}
+
+std::string check_text(const Scene& scene, const RecognisedElements& elements, const std::vector<ScenePair>& pairs) {
+  std::string text = in_columns(scene_text(scene));
+  if (const auto box = default_clip_box(scene)) {
+    text += in_columns("default clip box: " + box_text(*box, scene.dimension));
+  }
+  text += section("lights", elements.lights) + section("blockers", elements.blockers) +
+          section("receivers", elements.receivers) + pairs_text(pairs);
   text += scene.doubts.empty() ? "no doubts\n" : "doubts\n";
-  for (const std::string& doubt : scene.doubts) text += "  " + doubt + '\n';
+  for (const std::string& doubt : scene.doubts) text += in_columns("  " + doubt);
   return text;
 }
 
@@ -114,6 +135,7 @@ ExitCode check_command(Arguments arguments) {
       "  gnomon check examples/cornell_box.scene.json --json -\n");
   if (!parse_arguments(app, arguments)) return ExitCode::done;
 
+  require_place("--json", options.json, OutputKind::json);
   const Scene scene = scene_file(options.scene);
   if (options.quiet) print_doubts(scene);
   const RecognisedElements elements = recognised_elements(scene);

@@ -55,13 +55,19 @@ Box3 box_from_text(std::string_view text, std::size_t dimension) {
   return {{min[0], min[1], min[2]}, {max[0], max[1], max[2]}};
 }
 
+/// Lines are broken when the help is printed, and only then.
+std::string one_line(std::string help) {
+  std::replace(help.begin(), help.end(), '\n', ' ');
+  return help;
+}
+
 }  // namespace
 
 CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& text, const std::string& type,
                       const std::string& help) {
   // An empty text is a variable that a script forgot to set, not a wish for the default.
   const auto refuse_empty = [](const std::string& value) { return std::string(value.empty() ? "is empty" : ""); };
-  return app.add_option(name, text, help)->type_name(type)->check(refuse_empty);
+  return app.add_option(name, text, one_line(help))->type_name(type)->check(refuse_empty);
 }
 
 void add_pair_options(CLI::App& app, CommonOptions& options) {
@@ -94,7 +100,7 @@ bool parse_arguments(CLI::App& app, Arguments arguments) {
   // Looked for before parsing, so that help is given even where a required option is missing.
   const auto asks_for_help = [](const std::string& word) { return word == "-h" || word == "--help"; };
   if (std::any_of(arguments.begin(), arguments.end(), asks_for_help)) {
-    std::cout << app.help();
+    std::cout << in_columns(app.help());
     return false;
   }
   std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // the order CLI11 asks for

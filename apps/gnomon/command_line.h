@@ -54,7 +54,8 @@ bool parse_arguments(CLI::App& app, Arguments arguments);
 
 /// The box that cuts a scene's volumes: the one given with --box, or else the scene's default.
 ///
-/// Throws: UsageError unless --box holds two finite numbers per dimension, each minimum below its maximum;
+/// Throws: UsageError unless --box holds two finite numbers per dimension, each minimum below its maximum, and a finite
+///         diagonal;
 ///         SceneError if the scene has no default box.
 Box3 clip_box(const Scene& scene, const std::string& box_option);
 

@@ -54,6 +54,9 @@ ExitCode receivers_command(Arguments arguments);
 /// `gnomon render`: a picture of a scene or of a folder written by `gnomon shadow`.
 ExitCode render_command(Arguments arguments);
 
+/// `gnomon example`: a scene that is installed with the program, or the list of them.
+ExitCode example_command(Arguments arguments);
+
 /// `gnomon theorems` and `gnomon report`: hands over to the program gnomon-proof, found beside this one or on the path.
 ///
 /// Returns: never; the process is gnomon-proof from then on.

@@ -1,12 +1,16 @@
 #include "apps/gnomon/console.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 namespace gnomon {
@@ -23,6 +27,25 @@ std::string label(std::string_view text, std::string_view color) {
   return std::string(color) + std::string(text) + "\033[0m";
 }
 
+/// True for a pipe or socket that nobody reads any more, whatever an earlier write has failed for.
+bool is_pipe_without_reader(int descriptor) {
+  pollfd question{descriptor, POLLOUT, 0};
+  return poll(&question, 1, 0) > 0 && (question.revents & (POLLERR | POLLHUP)) != 0;
+}
+
+/// A line of progress gives way to what is said.
+const char* clean_line() {
+  return isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "";
+}
+
+/// "40 s", "3 min", "1.5 h".
+std::string duration_text(double seconds) {
+  if (seconds < 100) return std::to_string(std::lround(seconds)) + " s";
+  if (seconds < 100 * 60) return std::to_string(std::lround(seconds / 60)) + " min";
+  const long tenths = std::lround(std::min(seconds / 360, 1e6));
+  return std::to_string(tenths / 10) + '.' + std::to_string(tenths % 10) + " h";
+}
+
 }  // namespace
 
 void prepare_streams() {
@@ -36,40 +59,62 @@ void prepare_streams() {
 
 void finish_stdout() {
   std::cout.flush();
-  if (!std::cout) throw std::runtime_error("standard output could not be written");
+  if (std::cout) return;
+  if (is_pipe_without_reader(STDOUT_FILENO)) throw ReaderGone("nobody reads standard output any more");
+  throw std::runtime_error("standard output could not be written");
 }
 
 void print_warning(std::string_view text) {
-  std::cerr << "gnomon: " << label("warning: ", "\033[33m") << text << '\n';
+  std::cerr << clean_line() << "gnomon: " << label("warning: ", "\033[33m") << text << '\n';
 }
 
 void print_error(std::string_view text) {
-  std::cerr << label("gnomon: ", "\033[31m") << text << '\n';
+  std::cerr << clean_line() << label("gnomon: ", "\033[31m") << text << '\n';
+}
+
+std::string progress_text(std::string_view task, std::size_t done, std::size_t total, double share, double seconds) {
+  std::string text = std::string(task) + ' ' + std::to_string(done);
+  if (total > 0) text += " of " + std::to_string(total);
+  if (share < 0 && total > 0) share = static_cast<double>(done) / static_cast<double>(total);
+  if (share >= 0) text += ", " + std::to_string(static_cast<int>(100 * share)) + " %";
+  if (seconds < 1) return text;
+  if (share > 0) return text + ", " + duration_text(seconds * (1 - share) / share) + " left";
+  return text + ", " + duration_text(seconds) + " so far";
 }
 
 Progress::Progress(std::string task, std::size_t total, Visibility visibility)
-    : task_(std::move(task)),
-      total_(total),
-      shown_(visibility == Visibility::automatic && isatty(STDERR_FILENO) != 0 && total != 1) {
-  if (shown_) print();
+    : task_(std::move(task)), total_(total), start_(std::chrono::steady_clock::now()) {
+  if (visibility == Visibility::hidden || isatty(STDERR_FILENO) == 0) return;
+  try {
+    printer_ = std::thread([this] { print_until_the_end(); });
+  } catch (const std::system_error&) {
+    return;  // no thread to be had: the work goes on in silence
+  }
 }
 
 Progress::~Progress() {
-  if (shown_) std::cerr << "\r\033[K" << std::flush;
+  if (!printer_.joinable()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    ended_ = true;
+  }
+  has_ended_.notify_one();
+  printer_.join();
+  std::cerr << "\r\033[K" << std::flush;
 }
 
-void Progress::step(std::size_t count) {
-  done_ += count;
-  if (!shown_) return;
-  const std::unique_lock lock(mutex_, std::try_to_lock);
-  if (lock && std::chrono::steady_clock::now() >= next_print_) print();
+void Progress::print_until_the_end() {
+  // Quick tasks need no line.
+  std::unique_lock lock(mutex_);
+  for (auto pause = std::chrono::milliseconds(300); !has_ended_.wait_for(lock, pause, [this] { return ended_; });
+       pause = std::chrono::milliseconds(200)) {
+    print();
+  }
 }
 
-void Progress::print() {
-  std::cerr << '\r' << task_ << ' ' << done_;
-  if (total_ > 0) std::cerr << " of " << total_;
-  std::cerr << "\033[K" << std::flush;
-  next_print_ = std::chrono::steady_clock::now() + std::chrono::milliseconds(100);
+void Progress::print() const {
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
+  std::cerr << '\r' + progress_text(task_, done_, total_, share_, passed.count()) + "\033[K" << std::flush;
 }
 
 Progress::Visibility progress_visibility(bool quiet, bool results_on_stdout) {

@@ -2,10 +2,13 @@
 
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <cstddef>
 #include <mutex>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <thread>
 
 namespace gnomon {
 
@@ -13,9 +16,15 @@ namespace gnomon {
 /// number, and a reader that goes away shows as a failed write instead of ending the program.
 void prepare_streams();
 
+/// Whoever read stdout has gone away.
+class ReaderGone : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// Flushes stdout.
 ///
-/// Throws: std::runtime_error if anything written to it was lost.
+/// Throws: ReaderGone; std::runtime_error if anything else is the reason for which something written to it was lost.
 void finish_stdout();
 
 /// Prints a line "gnomon: warning: ..." to stderr.
@@ -24,7 +33,13 @@ void print_warning(std::string_view text);
 /// Prints a line "gnomon: ..." to stderr.
 void print_error(std::string_view text);
 
-/// A line on stderr that counts finished steps; shown on a terminal only, a few times a second, and removed at the end.
+/// How far a task is, in words: "point 512 of 2048, 25 %, 12 s left". What nobody knows is left out: `total` is 0 if it
+/// is not known, `share` of the work negative; the time left is told after a second, and the time so far where no share
+/// is known.
+std::string progress_text(std::string_view task, std::size_t done, std::size_t total, double share, double seconds);
+
+/// A line on stderr that tells how far a task is; shown on a terminal only, a few times a second, and removed at the
+/// end.
 class Progress {
  public:
   enum class Visibility { automatic, hidden };
@@ -36,17 +51,24 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   /// Counts more steps. May be called from several threads.
-  void step(std::size_t count = 1);
+  void step(std::size_t count = 1) { done_ += count; }
+
+  /// The part of the work that is done, where steps do not tell: from 0 to 1.
+  void set_share(double share) { share_ = share; }
 
  private:
-  void print();
+  void print_until_the_end();
+  void print() const;
 
   std::string task_;
   std::size_t total_;
   std::atomic<std::size_t> done_ = 0;
-  bool shown_;
-  std::chrono::steady_clock::time_point next_print_;
+  std::atomic<double> share_ = -1;
+  std::chrono::steady_clock::time_point start_;
   std::mutex mutex_;
+  std::condition_variable has_ended_;
+  bool ended_ = false;
+  std::thread printer_;
 };
 
 /// Hidden if asked to be quiet, or if results go to a terminal, which the line would spoil.

@@ -11,6 +11,7 @@
 #include "apps/gnomon/commands.h"
 #include "apps/gnomon/console.h"
 #include "apps/gnomon/discontinuity_output.h"
+#include "apps/gnomon/output_place.h"
 #include "apps/gnomon/scene_discontinuities.h"
 #include "apps/gnomon/scene_input.h"
 #include "apps/gnomon/shadow_json.h"
@@ -43,7 +44,7 @@ void add_options(CLI::App& app, DiscontinuitiesOptions& options) {
       "may jump there.\n\n"
       "Examples:\n"
       "  gnomon discontinuities examples/figure_4_22.scene.json --out surfaces\n"
-      "  gnomon discontinuities examples/cornell_box.scene.json --light ceiling_lamp --json -\n");
+      "  gnomon discontinuities examples/cornell_box.scene.json --json -\n");
 }
 
 Json element_json(const DiscontinuityResult& result, const std::string& light, const EventElement& element) {
@@ -99,12 +100,15 @@ ExitCode discontinuities_command(Arguments arguments) {
     throw UsageError("nothing to write: give a folder with --out, or a file with --json");
   }
   const std::vector<OutputFormat> formats = tree_formats(options.format);
+  require_place("--json", options.json, OutputKind::json);
+  require_free_folder(options.out);
   const Scene scene = scene_file_with_warnings(options.scene);
   const DiscontinuityResult result =
       scene_surfaces(scene, options.light, clip_box(scene, options.box), {options.threads, !options.quiet});
   std::vector<std::filesystem::path> files;
   if (!options.out.empty()) {
     files = write_discontinuities(result, DiscontinuityOutput::discontinuities, options.out, formats);
+    warn_of_outdated_results(options.out);
   }
   if (!options.json.empty()) write_json(discontinuities_json(result), options.json);
   if (!options.quiet && options.json != "-") std::cout << summary(result) << written_files_text(options.out, files);

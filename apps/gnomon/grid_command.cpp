@@ -9,9 +9,11 @@
 #include "apps/gnomon/command_line.h"
 #include "apps/gnomon/commands.h"
 #include "apps/gnomon/console.h"
+#include "apps/gnomon/output_place.h"
 #include "apps/gnomon/point_batches.h"
 #include "apps/gnomon/region_finder.h"
 #include "apps/gnomon/scene_input.h"
+#include "apps/gnomon/shadow_summary.h"
 #include "apps/gnomon/text.h"
 #include "geometry/scene/scene_reader.h"
 #include "viz/grid_file.h"
@@ -38,8 +40,8 @@ void add_options(CLI::App& app, GridOptions& options) {
       "The file holds VTK image data with the point arrays region (0 lit, 1 penumbra, 2 umbra, 3 unlit),\n"
       "visible_fraction and error_bound; of several lights, with _NAME behind each.\n\n"
       "Examples:\n"
-      "  gnomon grid examples/figure_4_22.scene.json --shape 40,40,1 --box -9,-9,-1,9,9,1 --out floor.vti\n"
-      "  gnomon grid examples/cornell_box.scene.json --shape 12,12,12 --light ceiling_lamp --out room.vti\n");
+      "  gnomon grid examples/figure_4_22.scene.json --shape 40,40,40 --out grid.vti\n"
+      "  gnomon grid examples/cornell_box.scene.json --shape 9,9,9 --out room.vti\n");
 }
 
 std::vector<GridValues> grid_values(const PointGrid& grid, const RegionFinder& finder, const GridOptions& options) {
@@ -73,10 +75,16 @@ ExitCode grid_command(Arguments arguments) {
   GridOptions options;
   add_options(app, options);
   if (!parse_arguments(app, arguments)) return ExitCode::done;
+  require_place("--out", options.out, OutputKind::image);
   const std::array<std::uint32_t, 3> shape = whole_numbers<3>("--shape", options.shape, "nx,ny,nz");
   const Scene scene = scene_file_with_warnings(options.scene);
   const RegionFinder finder = region_finder(scene, options.light);
-  const PointGrid grid = PointGrid::in_box(shape, clip_box(scene, options.box));
+  const Box3 box = clip_box(scene, options.box);
+  const PointGrid grid = PointGrid::in_box(shape, box);
+  if (!grid.has_distinct_points()) {
+    throw UsageError("--shape " + options.shape + ": in the box " + box_text(box, scene.dimension) +
+                     " neighbouring points would fall together; expected fewer points, or a larger box");
+  }
   write_grid(grid, grid_values(grid, finder, options), scene, options.out);
   if (!options.quiet) std::cout << options.out << ": " << counted(grid.size(), "point") << '\n';
   return ExitCode::done;

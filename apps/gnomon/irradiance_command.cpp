@@ -16,6 +16,7 @@
 #include "apps/gnomon/element_choice.h"
 #include "apps/gnomon/irradiance_output.h"
 #include "apps/gnomon/output_file.h"
+#include "apps/gnomon/output_place.h"
 #include "apps/gnomon/point_batches.h"
 #include "apps/gnomon/receiver_rows.h"
 #include "apps/gnomon/scene_input.h"
@@ -36,6 +37,7 @@ struct IrradianceOptions : CommonOptions {
   std::string shape;
   std::string lift;
   std::string out;
+  IrradianceLayout layout;
 };
 
 void add_options(CLI::App& app, IrradianceOptions& options) {
@@ -54,6 +56,9 @@ void add_options(CLI::App& app, IrradianceOptions& options) {
       "the mean of the corners");
   add_text(app, "--lift", options.lift, "H", "Move every point by this length along its normal first");
   add_text(app, "--out", options.out, "FILE", "Write the CSV to this file (default: to stdout)");
+  app.add_flag("--sum", options.layout.sum, "A row for each point, with the sum over all lights");
+  app.add_flag("--wide", options.layout.wide,
+               "A row for each point, with two columns for each light: irradiance_NAME,error_bound_NAME");
   add_json_option(app, options);
   add_text(app, "--light", options.light, "NAME", "Only this light");
   add_threads_option(app, options);
@@ -62,11 +67,12 @@ void add_options(CLI::App& app, IrradianceOptions& options) {
       "Each row of the result is a row of the input, or x,y,z,nx,ny,nz of a point on the receiver, followed by\n"
       "light,irradiance,error_bound. Irradiance is in W/m^2 whatever the scene's unit of length, and clipped by the\n"
       "receiver's horizon; |irradiance - exact| is at most error_bound. It is positive exactly where gnomon regions\n"
-      "tells lit or penumbra. A facet right under a point, up to rounding, does not hide the light from it. A\n"
-      "malformed line is reported with its number and left out; the exit code is 3 then.\n\n"
+      "tells lit or penumbra. A facet right under a point, up to rounding, does not hide the light from it. With\n"
+      "--out FILE, and in the JSON, mean, least and largest irradiance are told, too. A malformed line is reported\n"
+      "with its number and left out; the exit code is 3 then.\n\n"
       "Examples:\n"
       "  gnomon irradiance examples/figure_4_22.scene.json --at examples/receivers.csv\n"
-      "  gnomon irradiance examples/figure_4_22.scene.json --on floor --shape 20,20 --json -\n");
+      "  gnomon irradiance examples/figure_4_22.scene.json --on floor --shape 9,9\n");
 }
 
 /// One set of lights per thread: each keeps memory for the next question.
@@ -79,6 +85,7 @@ struct Receivers {
   std::function<std::vector<TableRow>()> next_batch;          ///< none at the end
   std::function<ReceiverPoint(const PointRow&)> receiver_of;  ///< any number of threads may ask
   std::size_t count = 0;                                      ///< of rows; 0 if nobody knows
+  std::function<double()> share = [] { return -1.0; };        ///< of the work that has been read, if count is 0
 };
 
 std::vector<LitRow> lit_rows(const Receivers& receivers, std::vector<TableRow> batch,
@@ -110,14 +117,15 @@ struct IrradianceOutputs {
   IrradianceOutputs(const IrradianceOptions& options, const Scene& scene, const std::string& header,
                     const std::vector<std::string>& lights) {
     if (!options.out.empty()) csv_file.emplace(options.out);
-    if (csv_file || options.json != "-") csv.emplace(csv_file ? csv_file->stream() : std::cout, header, lights);
+    if (csv_file || options.json != "-")
+      csv.emplace(csv_file ? csv_file->stream() : std::cout, header, lights, options.layout);
     if (options.json.empty()) return;
     if (options.json != "-") json_file.emplace(options.json);
-    json.emplace(json_file ? json_file->stream() : std::cout, scene, lights);
+    json.emplace(json_file ? json_file->stream() : std::cout, scene, lights, options.layout);
   }
 
-  void publish(std::size_t points, std::size_t malformed_lines) {
-    if (json) json->finish(points, malformed_lines);
+  void publish(const IrradianceSummaries& summaries, std::size_t malformed_lines) {
+    if (json) json->finish(summaries, malformed_lines);
     if (csv_file) csv_file->publish();
     if (json_file) json_file->publish();
   }
@@ -138,7 +146,7 @@ ExitCode write_irradiance(const IrradianceOptions& options, const Scene& scene, 
   tbb::task_arena threads(arena_size(options.threads));
   if (names.empty()) print_warning("the scene has no light");
   Progress progress("point", receivers.count, progress_visibility(options.quiet, options.out.empty()));
-  std::size_t points = 0;
+  IrradianceSummaries summaries(names);
   std::size_t malformed_lines = 0;
   for (auto batch = receivers.next_batch(); !batch.empty(); batch = receivers.next_batch()) {
     const std::size_t count = batch.size();
@@ -146,13 +154,16 @@ ExitCode write_irradiance(const IrradianceOptions& options, const Scene& scene, 
       if (outputs.csv) outputs.csv->add(lit);
       if (outputs.json) outputs.json->add(lit);
       const auto* malformed = std::get_if<MalformedRow>(&lit.row);
-      ++(malformed ? malformed_lines : points);
+      summaries.add(lit);
+      malformed_lines += malformed ? 1 : 0;
       if (malformed) print_error(receivers.file + ':' + std::to_string(malformed->line) + ": " + malformed->problem);
     }
-    finish_stdout();
+    if (!outputs.json_file) finish_stdout();
     progress.step(count);
+    progress.set_share(receivers.share());
   }
-  outputs.publish(points, malformed_lines);
+  outputs.publish(summaries, malformed_lines);
+  if (!options.quiet && !options.out.empty() && options.json != "-") std::cout << summaries.text();
   return malformed_lines == 0 ? ExitCode::done : ExitCode::bad_scene;
 }
 
@@ -175,7 +186,8 @@ ExitCode at_points(const IrradianceOptions& options, const Scene& scene) {
     PointTable table(stream, file, TableColumns::points_with_normals);
     const auto receiver_of = [&](const PointRow& row) { return lifted_point(obstacles, row, lift); };
     return write_irradiance(options, scene, obstacles,
-                            {file, table.header(), [&] { return next_rows(table); }, receiver_of, 0});
+                            {file, table.header(), [&] { return next_rows(table); }, receiver_of, 0,
+                             [&] { return share_read(stream, options.at); }});
   });
 }
 
@@ -189,6 +201,9 @@ ExitCode on_receiver(const IrradianceOptions& options, const Scene& scene) {
     throw UsageError("--on " + options.on + ": expected --shape nu,nv, as the receiver has one facet");
   }
   ReceiverRows rows(scene, options.on, shape);
+  if (!rows.has_finite_points()) {
+    throw UnsupportedError(scene.source + ": receiver '" + options.on + "' is wider than doubles go (1.8e308)");
+  }
   const double lift = lift_of(options);
   const OwnBlockers own(obstacles.obstacles());
   const auto receiver_of = [&](const PointRow& row) {
@@ -208,6 +223,8 @@ ExitCode irradiance_command(Arguments arguments) {
   IrradianceOptions options;
   add_options(app, options);
   if (!parse_arguments(app, arguments)) return ExitCode::done;
+  require_table_places(options.out, options.json);
+  if (options.out == "-") options.out.clear();
   if (options.at.empty() == options.on.empty()) throw UsageError("expected either --at POINTS.csv or --on RECEIVER");
   if (options.on.empty() && !options.shape.empty()) throw UsageError("--shape nu,nv goes with --on RECEIVER");
   const Scene scene = scene_file_with_warnings(options.scene);

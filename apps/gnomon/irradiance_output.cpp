@@ -4,55 +4,125 @@
 #include <utility>
 
 #include "apps/gnomon/text.h"
+#include "geometry/printed_bound.h"
 
 namespace gnomon {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json row_json(const LitRow& lit, const std::vector<std::string>& lights) {
+Json irradiance_json(const Irradiance& e) {
+  return {{"irradiance", e.value}, {"error_bound", printed_error_bound(e.value, e.error_bound)}};
+}
+
+Json row_json(const LitRow& lit, const std::vector<std::string>& lights, bool with_sum) {
   if (const auto* malformed = std::get_if<MalformedRow>(&lit.row)) {
     return {{"line", malformed->line}, {"problem", malformed->problem}};
   }
   const auto& row = std::get<PointRow>(lit.row);
   Json json = {{"line", row.line}, {"point", row.coordinates}, {"normal", row.normal}, {"lights", Json::array()}};
   for (std::size_t l = 0; l < lights.size(); ++l) {
-    const Irradiance& e = lit.received[l];
-    json["lights"].push_back({{"light", lights[l]}, {"irradiance", e.value}, {"error_bound", e.error_bound}});
+    json["lights"].push_back({{"light", lights[l]}});
+    json["lights"].back().update(irradiance_json(lit.received[l]));
   }
+  if (with_sum) json["sum"] = irradiance_json(total_irradiance(lit.received));
   return json;
+}
+
+Json summary_json(const IrradianceSummary& summary) {
+  return {{"mean", irradiance_json(summary.mean())},
+          {"least", irradiance_json(summary.least())},
+          {"largest", irradiance_json(summary.largest())}};
+}
+
+Json summaries_json(const IrradianceSummaries& summaries) {
+  Json json = {{"lights", Json::array()}};
+  for (std::size_t l = 0; l < summaries.lights.size(); ++l) {
+    json["lights"].push_back({{"light", summaries.names[l]}});
+    json["lights"].back().update(summary_json(summaries.lights[l]));
+  }
+  json["sum"] = summary_json(summaries.sum);
+  return json;
+}
+
+/// ",irradiance,error_bound"
+std::string csv_columns(const Irradiance& e) {
+  return ',' + number_text(e.value) + ',' + number_text(printed_error_bound(e.value, e.error_bound));
+}
+
+TextRow summary_row(const std::string& name, const IrradianceSummary& summary) {
+  TextRow row{name};
+  for (const Irradiance& e : {summary.mean(), summary.least(), summary.largest()}) {
+    row.push_back(rounded_text(e.value) + " +- " + rounded_text(printed_error_bound(e.value, e.error_bound)));
+  }
+  return row;
 }
 
 }  // namespace
 
-IrradianceCsv::IrradianceCsv(std::ostream& stream, const std::string& header, std::vector<std::string> lights)
-    : stream_(stream), lights_(std::move(lights)) {
+void IrradianceSummaries::add(const LitRow& lit) {
+  if (!std::holds_alternative<PointRow>(lit.row)) return;
+  for (std::size_t l = 0; l < lights.size(); ++l) lights[l].add(lit.received[l]);
+  sum.add(total_irradiance(lit.received));
+}
+
+std::string IrradianceSummaries::text() const {
+  if (sum.count() == 0) return "0 points\n";
+  std::vector<TextRow> rows{{"light", "mean", "least", "largest"}};
+  for (std::size_t l = 0; l < lights.size(); ++l) rows.push_back(summary_row(names[l], lights[l]));
+  if (lights.size() != 1) rows.push_back(summary_row("all together", sum));
+  return counted(sum.count(), "point") + ", irradiance in W/m^2\n" + aligned(rows, 2);
+}
+
+IrradianceCsv::IrradianceCsv(std::ostream& stream, const std::string& header, std::vector<std::string> lights,
+                             const IrradianceLayout& layout)
+    : stream_(stream), lights_(std::move(lights)), layout_(layout) {
+  stream_ << header;
+  if (!layout_.wide && !layout_.sum) stream_ << ",light,irradiance,error_bound";
+  if (layout_.wide) {
+    for (const std::string& light : lights_) {
+      stream_ << ',' << csv_field("irradiance_" + light) << ',' << csv_field("error_bound_" + light);
+    }
+  }
+  if (layout_.sum) stream_ << ",irradiance,error_bound";
+  stream_ << '\n';
   for (std::string& light : lights_) light = csv_field(light);
-  stream_ << header << ",light,irradiance,error_bound\n";
 }
 
 void IrradianceCsv::add(const LitRow& lit) {
   const auto* row = std::get_if<PointRow>(&lit.row);
   if (!row) return;
-  for (std::size_t l = 0; l < lights_.size(); ++l) {
-    stream_ << row->text << ',' << lights_[l] << ',' << number_text(lit.received[l].value) << ','
-            << number_text(lit.received[l].error_bound) << '\n';
+  if (!layout_.wide && !layout_.sum) {
+    for (std::size_t l = 0; l < lights_.size(); ++l) {
+      stream_ << row->text << ',' << lights_[l] << csv_columns(lit.received[l]) << '\n';
+    }
+    return;
   }
+  stream_ << row->text;
+  if (layout_.wide) {
+    for (const Irradiance& e : lit.received) stream_ << csv_columns(e);
+  }
+  if (layout_.sum) stream_ << csv_columns(total_irradiance(lit.received));
+  stream_ << '\n';
 }
 
-IrradianceJson::IrradianceJson(std::ostream& stream, const Scene& scene, std::vector<std::string> lights)
-    : stream_(stream), lights_(std::move(lights)) {
-  stream_ << "{\n  \"schema\": \"gnomon/irradiance/1\",\n  \"scene\": " << Json(scene.source).dump()
+IrradianceJson::IrradianceJson(std::ostream& stream, const Scene& scene, std::vector<std::string> lights,
+                               const IrradianceLayout& layout)
+    : stream_(stream), lights_(std::move(lights)), layout_(layout) {
+  stream_ << "{\n  \"schema\": \"gnomon/irradiance/1\",\n  \"scene\": "
+          << Json(scene.source).dump(-1, ' ', false, Json::error_handler_t::replace)
           << ",\n  \"length_unit\": " << Json(scene.length_unit).dump()
           << ",\n  \"irradiance_unit\": \"W/m^2\",\n  \"points\": [";
 }
 
 void IrradianceJson::add(const LitRow& lit) {
-  stream_ << (std::exchange(first_, false) ? "\n    " : ",\n    ") << row_json(lit, lights_).dump();
+  stream_ << (std::exchange(first_, false) ? "\n    " : ",\n    ") << row_json(lit, lights_, layout_.sum).dump();
 }
 
-void IrradianceJson::finish(std::size_t points, std::size_t malformed_lines) {
-  stream_ << "\n  ],\n  \"point_count\": " << points << ",\n  \"malformed_lines\": " << malformed_lines << "\n}\n";
+void IrradianceJson::finish(const IrradianceSummaries& summaries, std::size_t malformed_lines) {
+  stream_ << "\n  ],\n  \"point_count\": " << summaries.sum.count() << ",\n  \"malformed_lines\": " << malformed_lines;
+  if (summaries.sum.count() > 0) stream_ << ",\n  \"summary\": " << summaries_json(summaries).dump();
+  stream_ << "\n}\n";
 }
 
 }  // namespace gnomon

@@ -8,6 +8,7 @@
 #include "apps/gnomon/point_batches.h"
 #include "geometry/scene/scene.h"
 #include "shading/irradiance.h"
+#include "shading/irradiance_summary.h"
 
 namespace gnomon {
 
@@ -17,28 +18,52 @@ struct LitRow {
   std::vector<Irradiance> received;  ///< empty for a malformed row
 };
 
-/// The result as CSV, row by row: the fields as they were written, then light,irradiance,error_bound. Malformed rows
-/// are left out.
+/// How the table is laid out. By default it has a row for each point and light.
+struct IrradianceLayout {
+  bool wide = false;  ///< a row for each point, with two columns for each light
+  bool sum = false;   ///< a row for each point, with two columns for all lights together
+};
+
+/// Mean, least and largest irradiance that each light gives, and all together.
+struct IrradianceSummaries {
+  std::vector<std::string> names;
+  std::vector<IrradianceSummary> lights;
+  IrradianceSummary sum;
+
+  explicit IrradianceSummaries(const std::vector<std::string>& light_names)
+      : names(light_names), lights(light_names.size()) {}
+  void add(const LitRow& lit);
+
+  /// A table for people.
+  std::string text() const;
+};
+
+/// The result as CSV, row by row: the fields as they were written, then light,irradiance,error_bound, or what the
+/// layout asks for. Malformed rows are left out.
 class IrradianceCsv {
  public:
-  IrradianceCsv(std::ostream& stream, const std::string& header, std::vector<std::string> lights);
+  IrradianceCsv(std::ostream& stream, const std::string& header, std::vector<std::string> lights,
+                const IrradianceLayout& layout);
   void add(const LitRow& lit);
 
  private:
   std::ostream& stream_;
   std::vector<std::string> lights_;  ///< quoted where CSV asks for it
+  IrradianceLayout layout_;
 };
 
 /// The result as JSON of schema gnomon/irradiance/1, point by point. What is infinite is null.
 class IrradianceJson {
  public:
-  IrradianceJson(std::ostream& stream, const Scene& scene, std::vector<std::string> lights);
+  IrradianceJson(std::ostream& stream, const Scene& scene, std::vector<std::string> lights,
+                 const IrradianceLayout& layout);
   void add(const LitRow& lit);
-  void finish(std::size_t points, std::size_t malformed_lines);
+  void finish(const IrradianceSummaries& summaries, std::size_t malformed_lines);
 
  private:
   std::ostream& stream_;
   std::vector<std::string> lights_;
+  IrradianceLayout layout_;
   bool first_ = true;
 };
 

@@ -9,20 +9,19 @@ namespace gnomon {
 namespace {
 
 constexpr std::array commands{
-    Command{"shadow", "extremal planes and occlusion, umbra and penumbra volumes, for ParaView", shadow_command},
+    Command{"shadow", "extremal planes and shadow volumes, for ParaView", shadow_command},
     Command{"check", "validates a scene and prints what was recognised", check_command},
-    Command{"regions", "tells region and visible fraction of every light at given points", regions_command},
-    Command{"grid", "tells the same for the points of a grid, as VTK image data", grid_command},
-    Command{"irradiance", "tells the irradiance that every light gives to given points and normals",
-            irradiance_command},
-    Command{"discontinuities", "surfaces across which what is visible of a light changes its formula",
-            discontinuities_command},
+    Command{"regions", "region and visible fraction of every light at given points", regions_command},
+    Command{"grid", "the same for the points of a grid, as VTK image data", grid_command},
+    Command{"irradiance", "the irradiance that every light gives to given points", irradiance_command},
+    Command{"discontinuities", "surfaces where what is seen of a light changes its formula", discontinuities_command},
     Command{"receivers", "regions and discontinuity mesh on every receiver", receivers_command},
     Command{"render", "makes a picture of a scene or of a result folder", render_command},
+    Command{"example", "prints an installed example, or their list", example_command},
 };
 
 constexpr std::array proof_commands{
-    Command{"theorems", "checks every numbered statement of the theory, and refutes the false ones",
+    Command{"theorems", "checks every statement of the theory, refutes the false ones",
             [](Arguments arguments) { return proof_command("theorems", arguments); }},
     Command{"report", "measures speed against error and tries hard cases, with plots",
             [](Arguments arguments) { return proof_command("report", arguments); }},

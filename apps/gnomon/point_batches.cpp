@@ -2,9 +2,12 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <system_error>
 #include <utility>
 
 #include "geometry/scene/scene_reader.h"
@@ -28,6 +31,14 @@ std::vector<TableRow> next_rows(PointTable& table) {
     rows.push_back(std::move(*row));
   }
   return rows;
+}
+
+double share_read(std::istream& stream, const std::string& at) {
+  std::error_code error;
+  const std::uintmax_t size =
+      at == "-" || !std::filesystem::is_regular_file(at, error) ? 0 : std::filesystem::file_size(at, error);
+  const std::streamoff place = size == 0 || error ? -1 : std::streamoff(stream.tellg());
+  return place < 0 ? -1 : std::min(1.0, static_cast<double>(place) / static_cast<double>(size));
 }
 
 int arena_size(unsigned threads) {

@@ -24,6 +24,9 @@ ExitCode with_points(const std::string& at, const std::function<ExitCode(std::is
 /// The next rows of the table, at most 1,024: as many are held in memory at a time. None at the end.
 std::vector<TableRow> next_rows(PointTable& table);
 
+/// The part of the points' file that has been read, from 0 to 1; negative for stdin and pipes.
+double share_read(std::istream& stream, const std::string& at);
+
 /// What a task_arena calls a number of threads; 0: as many as there are processors.
 int arena_size(unsigned threads);
 

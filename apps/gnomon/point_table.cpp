@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "apps/gnomon/csv_row.h"
 #include "apps/gnomon/text.h"
 #include "geometry/scene/scene_reader.h"
 
@@ -11,6 +12,10 @@ namespace gnomon {
 namespace {
 
 constexpr std::size_t longest_line = 1 << 16;
+
+/// Rows are repeated in the result, where such a quote would run the fields, or the rows, together.
+constexpr const char* quote_trouble =
+    ", expected double quotes around whole fields, closed and doubled inside, and no control characters";
 
 std::string_view without_blanks(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
@@ -85,7 +90,8 @@ bool PointTable::read_header(TableColumns columns) {
   if (const auto dialect = dialect_of_header(names, columns)) {
     dialect_ = *dialect;
     header_ = with_commas(std::string(names), dialect_.separator);
-    return true;
+    if (csv_field_count(header_) == dialect_.columns) return true;
+    throw SceneError(name_ + ':' + std::to_string(line_) + ": found " + excerpt(text_) + quote_trouble);
   }
   const auto dialect = dialect_of_numbers(text_, columns);
   if (!dialect) return false;
@@ -130,6 +136,9 @@ std::variant<PointRow, MalformedRow> PointTable::row() const {
   }
   if (has_normals() && point.normal == std::array<double, 3>{}) {
     return MalformedRow{line_, "nx,ny,nz: found 0,0,0, expected a direction"};
+  }
+  if (csv_field_count(point.text) != dialect_.columns) {
+    return MalformedRow{line_, "found " + excerpt(text_) + quote_trouble};
   }
   return point;
 }

@@ -6,13 +6,18 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "apps/gnomon/command_line.h"
 #include "apps/gnomon/console.h"
+#include "apps/gnomon/text.h"
+#include "apps/gnomon/untimely_end.h"
 #include "apps/keep_memory.h"
 #include "geometry/scene/scene_reader.h"
+#include "viz/result_error.h"
 
 namespace gnomon {
 namespace {
@@ -33,28 +38,29 @@ std::vector<std::string_view> command_names(const ProgramText& program) {
   return names;
 }
 
-void print_commands(std::ostream& stream, std::string_view title, std::span<const Command> commands) {
-  if (commands.empty()) return;
-  stream << '\n' << title << ":\n";
+std::string command_list(std::string_view title, std::span<const Command> commands) {
+  if (commands.empty()) return {};
+  std::string text = '\n' + std::string(title) + ":\n";
   for (const Command& command : commands) {
-    stream << "  " << command.name << std::string(17 - command.name.size(), ' ') << command.does << '\n';
+    text.append("  ").append(command.name).append(17 - command.name.size(), ' ').append(command.does) += '\n';
   }
+  return text;
 }
 
 void print_help(std::ostream& stream, const ProgramText& program) {
   const std::string name(program.name);
-  stream << program.purpose << "\n\nUsage: " << name << " COMMAND [OPTIONS]\n";
-  print_commands(stream, "Commands", program.commands);
-  print_commands(stream, program.elsewhere_title, program.elsewhere);
-  stream << "\nOptions:\n"
-            "  -h, --help    print this text; '" +
-                name +
-                " COMMAND --help' says more about a command\n"
-                "  --version     print the version\n\n"
-                "Exit codes: 0 done, 1 failed while running, 2 wrong usage, 3 bad or missing scene or input line,\n"
-                "4 not supported.\n\n"
-                "Examples:\n"
-         << program.examples;
+  stream << in_columns(std::string(program.purpose) + "\n\nUsage: " + name + " COMMAND [OPTIONS]\n" +
+                       command_list("Commands", program.commands) +
+                       command_list(program.elsewhere_title, program.elsewhere) +
+                       "\nOptions:\n"
+                       "  -h, --help    print this text; '" +
+                       name +
+                       " COMMAND --help' tells more\n"
+                       "  --version     print the version\n\n"
+                       "Exit codes: 0 done, 1 failed while running, 2 wrong usage, 3 bad or missing scene, result or "
+                       "input line, 4 not supported.\n\n"
+                       "Examples:\n" +
+                       std::string(program.examples));
 }
 
 ExitCode refuse(const ProgramText& program, const std::string& word) {
@@ -84,7 +90,14 @@ ExitCode run(const ProgramText& program, Arguments words) {
   return command == nullptr ? refuse(program, first) : command->run(words.subspan(1));
 }
 
+/// A system that has no room for another thread says so in words that help nobody.
+std::string system_message(const std::system_error& error) {
+  if (error.code() != std::errc::resource_unavailable_try_again) return error.what();
+  return "no more threads can be started, for lack of memory or of processes; fewer can be asked for with --threads";
+}
+
 ExitCode fail(ExitCode code, std::string_view message) {
+  wait_if_interrupted();
   print_error(message);
   return code;
 }
@@ -101,6 +114,7 @@ ExitCode misuse(const ProgramText& program, Arguments words, std::string_view me
 int run_program(const ProgramText& program, int argc, char** argv) {
   keep_freed_memory();
   prepare_streams();
+  prepare_untimely_end();
   ExitCode code = ExitCode::done;
   std::vector<std::string> words;
   try {
@@ -115,10 +129,18 @@ int run_program(const ProgramText& program, int argc, char** argv) {
     code = fail(ExitCode::unsupported, error.what());
   } catch (const SceneError& error) {
     code = fail(ExitCode::bad_scene, error.what());
+  } catch (const ResultError& error) {
+    code = fail(ExitCode::bad_scene, error.what());
   } catch (const UnsupportedError& error) {
     code = fail(ExitCode::unsupported, error.what());
+  } catch (const ReaderGone&) {
+    code = ExitCode::done;  // as in `gnomon check SCENE | head`: whoever read has read enough
   } catch (const std::bad_alloc&) {
     code = fail(ExitCode::failure, "not enough memory");
+  } catch (const std::length_error&) {
+    code = fail(ExitCode::failure, "not enough memory for something that large");
+  } catch (const std::system_error& error) {
+    code = fail(ExitCode::failure, system_message(error));
   } catch (const std::exception& error) {
     code = fail(ExitCode::failure, error.what());
   }

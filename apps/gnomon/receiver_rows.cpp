@@ -56,9 +56,12 @@ std::string ReceiverRows::header() const {
   return facets_.size() == 1 ? "x,y,z,nx,ny,nz" : "x,y,z,nx,ny,nz,facet";
 }
 
-void ReceiverRows::start_facet() {
-  const std::array<std::uint32_t, 2> one = {1, 1};
-  grid_.emplace(facets_[next_ / cells_]->shape, shape_ ? *shape_ : one);
+ReceiverGrid ReceiverRows::grid_on(const SceneReceiver& facet) const {
+  return {facet.shape, shape_.value_or(std::array<std::uint32_t, 2>{1, 1})};
+}
+
+bool ReceiverRows::has_finite_points() const {
+  return std::ranges::all_of(facets_, [&](const SceneReceiver* facet) { return grid_on(*facet).has_finite_points(); });
 }
 
 void ReceiverRows::append_row(std::vector<TableRow>& rows) const {
@@ -75,7 +78,7 @@ void ReceiverRows::append_row(std::vector<TableRow>& rows) const {
 std::vector<TableRow> ReceiverRows::next() {
   std::vector<TableRow> rows;
   for (; rows.size() < most_rows && next_ < count(); ++next_) {
-    if (next_ % cells_ == 0) start_facet();
+    if (next_ % cells_ == 0) grid_ = grid_on(*facets_[next_ / cells_]);
     append_row(rows);
   }
   return rows;

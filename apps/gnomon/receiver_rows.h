@@ -44,11 +44,14 @@ class ReceiverRows {
   /// The row's point as one of its facet.
   ReceiverPoint receiver_of(const PointRow& row, const OwnBlockers& own) const;
 
+  /// False where a facet is so wide that points in its rectangle overflow.
+  bool has_finite_points() const;
+
   /// Of all points that are looked at.
   std::size_t count() const { return facets_.size() * cells_; }
 
  private:
-  void start_facet();
+  ReceiverGrid grid_on(const SceneReceiver& facet) const;
   void append_row(std::vector<TableRow>& rows) const;
 
   std::vector<const SceneReceiver*> facets_;

@@ -11,11 +11,12 @@
 #include "apps/gnomon/commands.h"
 #include "apps/gnomon/console.h"
 #include "apps/gnomon/discontinuity_output.h"
+#include "apps/gnomon/output_place.h"
+#include "apps/gnomon/receiver_json.h"
 #include "apps/gnomon/scene_discontinuities.h"
 #include "apps/gnomon/scene_input.h"
 #include "apps/gnomon/shadow_json.h"
 #include "apps/gnomon/text.h"
-#include "geometry/discontinuity/total_area.h"
 #include "geometry/scene/scene_reader.h"
 #include "viz/discontinuity_writer.h"
 
@@ -26,12 +27,15 @@ struct ReceiversOptions : CommonOptions {
   std::string out;
   std::string receiver;
   std::string format = "vtm";
+  std::string mesh;
 };
 
 void add_options(CLI::App& app, ReceiversOptions& options) {
   add_text(app, "SCENE", options.scene, "FILE", "Scene file")->required();
   add_text(app, "--out", options.out, "DIR", "Folder for the files; without it only areas are told");
   add_json_option(app, options);
+  add_text(app, "--mesh", options.mesh, "LIST",
+           "With --json: tell the mesh too, some of faces,edges,polygons, each by its vertices");
   add_text(app, "--receiver", options.receiver, "NAME", "Only this receiver");
   add_text(app, "--light", options.light, "NAME", "Only this light");
   add_text(app, "--box", options.box, "xmin,ymin,zmin,xmax,ymax,zmax", "The box that is written as clip_box");
@@ -44,63 +48,8 @@ void add_options(CLI::App& app, ReceiversOptions& options) {
       "face. Only what of the light lies strictly before a receiver's plane counts. Unlit is what has nothing of it\n"
       "before, or sees its back or its edge. Areas are in squares of the scene's unit of length.\n\n"
       "Examples:\n"
-      "  gnomon receivers examples/cornell_box.scene.json --light ceiling_lamp --receiver floor\n"
+      "  gnomon receivers examples/cornell_box.scene.json --receiver floor\n"
       "  gnomon receivers examples/figure_4_22.scene.json --out floor_mesh --json -\n");
-}
-
-nlohmann::ordered_json areas_json(SideResult side) {
-  nlohmann::ordered_json json;
-  const auto areas = areas_of(side);
-  for (std::size_t k = 0; k < areas.size(); ++k) {
-    nlohmann::ordered_json area = {{"double", areas[k].nearest}};
-    if (areas[k].exact) area["exact"] = *areas[k].exact;
-    json[std::string(name(static_cast<ReceiverRegion>(k)))] = std::move(area);
-  }
-  return json;
-}
-
-/// Sums over the pieces of a side.
-struct SideCounts {
-  double area = 0;
-  std::size_t faces = 0;
-  std::size_t edges = 0;
-  std::size_t vertices = 0;
-  std::size_t regions = 0;
-};
-
-SideCounts counts_of(SideResult side) {
-  SideCounts counts;
-  std::vector<RegionArea> areas;
-  for (const ReceiverResult& piece : side) {
-    areas.push_back(piece.mesh.area());
-    counts.faces += piece.mesh.faces().size();
-    counts.edges += piece.mesh.edges().size();
-    counts.vertices += piece.mesh.vertex_count();
-    counts.regions += piece.mesh.regions().size();
-  }
-  counts.area = total_area(areas).nearest;
-  return counts;
-}
-
-nlohmann::ordered_json receivers_json(const DiscontinuityResult& result) {
-  nlohmann::ordered_json document = {{"schema", "gnomon/receivers/1"},
-                                     {"scene", result.scene->source},
-                                     {"length_unit", result.scene->length_unit},
-                                     {"area_unit", result.scene->length_unit + "^2"},
-                                     {"receivers", nlohmann::ordered_json::array()}};
-  for (const SideResult side : sides_of(result.receivers)) {
-    const SideCounts counts = counts_of(side);
-    document["receivers"].push_back({{"name", side.front().side},
-                                     {"light", side.front().light},
-                                     {"area", counts.area},
-                                     {"faces", counts.faces},
-                                     {"edges", counts.edges},
-                                     {"vertices", counts.vertices},
-                                     {"regions", counts.regions},
-                                     {"areas", areas_json(side)}});
-    if (side.size() > 1) document["receivers"].back()["facets"] = side.size();
-  }
-  return document;
 }
 
 std::string percentage(double part, double whole) {
@@ -113,16 +62,17 @@ std::string receivers_summary(const DiscontinuityResult& result) {
   std::string text;
   for (const SideResult side : sides_of(result.receivers)) {
     const SideCounts counts = counts_of(side);
-    text += side.front().side + ", light " + side.front().light + ": ";
-    if (side.size() > 1) text += counted(side.size(), "facet") + ", ";
-    text += counted(counts.faces, "face") + ", " + counted(counts.regions, "region") + ";";
+    const std::string facets = side.size() > 1 ? counted(side.size(), "facet") + ", " : "";
+    text += in_columns(side.front().side + ", light " + side.front().light + ": " + facets +
+                       counted(counts.faces, "face") + ", " + counted(counts.regions, "region"));
+    std::string shares;
     const auto areas = areas_of(side);
     const double whole = counts.area;
     for (std::size_t k = 0; k < areas.size(); ++k) {
       if (areas[k].nearest == 0) continue;
-      text += " " + std::string(name(static_cast<ReceiverRegion>(k))) + " " + percentage(areas[k].nearest, whole);
+      shares += " " + std::string(name(static_cast<ReceiverRegion>(k))) + " " + percentage(areas[k].nearest, whole);
     }
-    text += "\n";
+    text += " " + shares + "\n";
   }
   return text;
 }
@@ -135,8 +85,9 @@ ExitCode write_all(const ReceiversOptions& options, const std::vector<OutputForm
   if (!options.out.empty()) {
     result.clip_box = clip_box(scene, options.box);
     files = write_discontinuities(result, DiscontinuityOutput::receivers, options.out, formats);
+    warn_of_outdated_results(options.out);
   }
-  if (!options.json.empty()) write_json(receivers_json(result), options.json);
+  if (!options.json.empty()) write_json(receivers_json(result, mesh_parts(options.mesh)), options.json);
   if (result.receivers.empty()) print_warning("the scene has no pair of a light and a receiver");
   if (!options.quiet && options.json != "-") {
     std::cout << receivers_summary(result) << written_files_text(options.out, files);
@@ -155,6 +106,9 @@ ExitCode receivers_command(Arguments arguments) {
   add_options(app, options);
   if (!parse_arguments(app, arguments)) return ExitCode::done;
   const std::vector<OutputFormat> formats = tree_formats(options.format);
+  if (mesh_parts(options.mesh).any() && options.json.empty()) throw UsageError("--mesh goes with --json FILE");
+  require_place("--json", options.json, OutputKind::json);
+  require_free_folder(options.out);
   return write_all(options, formats, scene_file_with_warnings(options.scene));
 }
 

@@ -9,6 +9,7 @@
 #include "apps/gnomon/commands.h"
 #include "apps/gnomon/console.h"
 #include "apps/gnomon/output_file.h"
+#include "apps/gnomon/output_place.h"
 #include "apps/gnomon/point_batches.h"
 #include "apps/gnomon/point_table.h"
 #include "apps/gnomon/region_finder.h"
@@ -48,7 +49,7 @@ void add_options(CLI::App& app, RegionsOptions& options) {
       "penumbra exactly where they get light. A facet right under a point does not hide the light from it.\n\n"
       "Examples:\n"
       "  gnomon regions examples/figure_4_22.scene.json --at examples/points.csv\n"
-      "  gnomon regions examples/cornell_box.scene.json --at examples/points.csv --light ceiling_lamp --json -\n");
+      "  gnomon regions examples/two_lamps.scene.json --at examples/points.csv --json -\n");
 }
 
 std::vector<JudgedRow> judged_batch(PointTable& table, const RegionFinder& finder, tbb::task_arena& threads) {
@@ -124,9 +125,10 @@ ExitCode write_regions(const RegionsOptions& options, const Scene& scene, std::i
       const auto* malformed = std::get_if<MalformedRow>(&judged.row);
       if (malformed) print_error(file + ':' + std::to_string(malformed->line) + ": " + malformed->problem);
     }
-    // Who reads a pipe gets every batch; who went away need not be served.
-    finish_stdout();
+    // Who reads a pipe gets every batch; who went away need not be served, unless there is a file to be written, too.
+    if (!outputs.json_file) finish_stdout();
     progress.step(rows.size());
+    progress.set_share(share_read(stream, options.at));
   }
   outputs.publish(counts);
   warn_of_rounding(within_rounding, counts.points());
@@ -144,6 +146,8 @@ ExitCode regions_command(Arguments arguments) {
   RegionsOptions options;
   add_options(app, options);
   if (!parse_arguments(app, arguments)) return ExitCode::done;
+  require_table_places(options.out, options.json);
+  if (options.out == "-") options.out.clear();
   const Scene scene = scene_file_with_warnings(options.scene);
   return with_points(options.at, [&](std::istream& stream, const std::string& file) {
     return write_regions(options, scene, stream, file);

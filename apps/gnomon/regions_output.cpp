@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "apps/gnomon/text.h"
+#include "geometry/printed_bound.h"
 
 namespace gnomon {
 namespace {
@@ -24,7 +25,7 @@ Json seen_json(const std::string& light, const Visibility& seen, PointKind kind)
   Json json = {{"light", light},
                {"region", name(seen.region)},
                {"visible_fraction", seen.fraction},
-               {"error_bound", seen.error_bound}};
+               {"error_bound", printed_error_bound(seen.fraction, seen.error_bound)}};
   if (kind == PointKind::of_receivers) json["before_receiver"] = seen.before_receiver;
   return json;
 }
@@ -63,7 +64,7 @@ void RegionsCsv::add(const JudgedRow& judged) {
   for (std::size_t l = 0; l < lights_.size(); ++l) {
     const Visibility& seen = judged.seen[l];
     stream_ << row->text << ',' << lights_[l] << ',' << name(seen.region) << ',' << number_text(seen.fraction) << ','
-            << number_text(seen.error_bound);
+            << number_text(printed_error_bound(seen.fraction, seen.error_bound));
     if (kind_ == PointKind::of_receivers) stream_ << ',' << number_text(seen.before_receiver);
     stream_ << '\n';
   }
@@ -71,7 +72,8 @@ void RegionsCsv::add(const JudgedRow& judged) {
 
 RegionsJson::RegionsJson(std::ostream& stream, const Scene& scene, std::vector<std::string> lights, PointKind kind)
     : stream_(stream), lights_(std::move(lights)), dimension_(scene.dimension), kind_(kind) {
-  stream_ << "{\n  \"schema\": \"gnomon/regions/1\",\n  \"scene\": " << Json(scene.source).dump()
+  stream_ << "{\n  \"schema\": \"gnomon/regions/1\",\n  \"scene\": "
+          << Json(scene.source).dump(-1, ' ', false, Json::error_handler_t::replace)
           << ",\n  \"dimension\": " << dimension_ << ",\n  \"length_unit\": " << Json(scene.length_unit).dump()
           << ",\n  \"points\": [";
 }

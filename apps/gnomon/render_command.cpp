@@ -52,7 +52,7 @@ void add_options(CLI::App& app, RenderOptions& options) {
       "A page (.html) needs no network: it carries three.js, which is read from Debian's package libjs-three.\n"
       "A PNG without a display starts a virtual one (Debian packages xvfb and libgl1-mesa-dri).\n\n"
       "Examples:\n"
-      "  gnomon render examples/figure_4_22.scene.json --out figure_4_22.png --camera front\n"
+      "  gnomon render examples/figure_4_22.scene.json --out front.png --camera front\n"
       "  gnomon render examples/cornell_box.scene.json --out cornell_box.gltf\n");
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +13,7 @@
 #include "apps/gnomon/computed_shadows.h"
 #include "apps/gnomon/console.h"
 #include "apps/gnomon/merged_shadows.h"
+#include "apps/gnomon/output_place.h"
 #include "apps/gnomon/scene_input.h"
 #include "apps/gnomon/scene_pairs.h"
 #include "apps/gnomon/shadow_json.h"
@@ -68,6 +70,8 @@ void check_usage(const ShadowOptions& options) {
   if (options.out.empty() && options.json.empty()) {
     throw UsageError("nothing to write: give a folder with --out, or a file with --json");
   }
+  require_place("--json", options.json, OutputKind::json);
+  require_free_folder(options.out);
   if (options.path.empty()) return;
   if (options.out.empty()) throw UsageError("--path writes a series into a folder: give one with --out");
   if (!options.json.empty()) throw UsageError("--json tells one result, --path makes many; leave one of them out");
@@ -104,7 +108,10 @@ ExitCode write_all(const ShadowOptions& options, const std::vector<OutputFormat>
   ShadowResult result = computed_shadows(scene, pairs, box, effort);
   if (options.merge) result.merged = merged_shadows(scene, pairs, box, effort);
   std::vector<fs::path> files;
-  if (!options.out.empty()) files = write_shadow(result, options.out, {output_formats});
+  if (!options.out.empty()) {
+    files = write_shadow(result, options.out, {output_formats});
+    warn_of_outdated_results(options.out);
+  }
   if (!options.json.empty()) write_json(shadow_json(result, pairs), options.json);
   if (pairs.empty()) print_warning("the scene has no pair of a light and a blocker");
   if (options.merge && result.merged.empty()) print_warning("--merge: no blocker has several parts, all supported");
@@ -120,6 +127,7 @@ ExitCode write_series(const ShadowOptions& options, const Scene& scene) {
   if (series.unsupported_pairs > 0) {
     print_warning(counted(series.unsupported_pairs, "pair") + " of the series not supported, and left out");
   }
+  warn_of_outdated_results(options.out);
   if (!options.quiet) std::cout << counted(series.steps, "place") << '\n' << written_text(options.out, series.files);
   return ExitCode::done;
 }

@@ -1,11 +1,13 @@
 #include "apps/gnomon/shadow_json.h"
 
+#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "apps/gnomon/output_file.h"
 #include "apps/gnomon/shadow_extents.h"
+#include "geometry/spatial/plane_coefficients.h"
 
 namespace gnomon {
 namespace {
@@ -28,26 +30,46 @@ Json blocker_edge_json(const ScenePair& pair, BlockerEdge edge) {
   return json;
 }
 
-Json plane_json(Contact contact, const BlockerPlane& plane, const ScenePair& pair) {
-  return {{"contact", name(contact)},
-          {"edge", blocker_edge_json(pair, plane.edge)},
-          {"vertex", element_json("light", number(plane.vertex))}};
-}
-
-Json plane_json(const LightPlane& plane) {
-  return {{"contact", name(Contact::separating)},
-          {"edge", element_json("light", number(plane.edge))},
-          {"vertex", element_json("blocker", number(plane.vertex))}};
-}
-
-Json planes_json(const ExtremalPlanes& planes, const ScenePair& pair) {
-  Json list = Json::array();
-  for (const BlockerPlane& plane : planes.separating_blocker) {
-    list.push_back(plane_json(Contact::separating, plane, pair));
+/// The plane as numbers, from the half-space of that name; nothing where the pair has no such volume.
+void add_coefficients(Json& json, const FacetName& plane, const ConvexVolume& volume) {
+  const auto has_name = [&](const HalfSpace& half_space) { return half_space.name == plane; };
+  const auto found = std::ranges::find_if(volume.half_spaces, has_name);
+  if (found == volume.half_spaces.end()) return;
+  for (const ExactNumber& number : plane_coefficients(*found)) {
+    json["coefficients"].push_back(number.nearest);
+    json["exact"].push_back(number.exact);
   }
-  for (const LightPlane& plane : planes.separating_light) list.push_back(plane_json(plane));
-  for (const BlockerPlane& plane : planes.supporting_blocker) {
-    list.push_back(plane_json(Contact::supporting, plane, pair));
+}
+
+Json plane_json(FacetKind kind, const BlockerPlane& plane, const ScenePair& pair, const ShadowVolumes& volumes) {
+  const bool is_supporting = kind == FacetKind::supporting_blocker_plane;
+  Json json = {{"contact", name(is_supporting ? Contact::supporting : Contact::separating)},
+               {"edge", blocker_edge_json(pair, plane.edge)},
+               {"vertex", element_json("light", number(plane.vertex))}};
+  const FacetName facet{kind, static_cast<std::int32_t>(number(plane.edge)),
+                        static_cast<std::int32_t>(number(plane.vertex))};
+  add_coefficients(json, facet, is_supporting ? volumes.umbra : volumes.occlusion);
+  return json;
+}
+
+Json plane_json(const LightPlane& plane, const ShadowVolumes& volumes) {
+  Json json = {{"contact", name(Contact::separating)},
+               {"edge", element_json("light", number(plane.edge))},
+               {"vertex", element_json("blocker", number(plane.vertex))}};
+  const FacetName facet{FacetKind::separating_light_plane, static_cast<std::int32_t>(number(plane.edge)),
+                        static_cast<std::int32_t>(number(plane.vertex))};
+  add_coefficients(json, facet, volumes.occlusion);
+  return json;
+}
+
+Json planes_json(const ShadowVolumes& volumes, const ScenePair& pair) {
+  Json list = Json::array();
+  for (const BlockerPlane& plane : volumes.planes.separating_blocker) {
+    list.push_back(plane_json(FacetKind::separating_blocker_plane, plane, pair, volumes));
+  }
+  for (const LightPlane& plane : volumes.planes.separating_light) list.push_back(plane_json(plane, volumes));
+  for (const BlockerPlane& plane : volumes.planes.supporting_blocker) {
+    list.push_back(plane_json(FacetKind::supporting_blocker_plane, plane, pair, volumes));
   }
   return list;
 }
@@ -66,7 +88,7 @@ void add_shadow(Json& json, const ShadowResult& result, std::size_t pair, const 
   if (result.scene->dimension == 2) {
     json["lines"] = lines_json(result.planar_pairs[pair].regions.lines);
   } else {
-    json["planes"] = planes_json(result.pairs[pair].volumes.planes, scene_pair);
+    json["planes"] = planes_json(result.pairs[pair].volumes, scene_pair);
   }
   for (const ShadowExtent& extent : shadow_extents(result, pair)) {
     json[std::string(extent.name)] = {{"empty", extent.facts.empty},

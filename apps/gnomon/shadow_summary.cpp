@@ -1,6 +1,7 @@
 #include "apps/gnomon/shadow_summary.h"
 
 #include <algorithm>
+#include <map>
 #include <string_view>
 
 #include "apps/gnomon/shadow_extents.h"
@@ -62,10 +63,11 @@ std::string size_unit(const Scene& scene) {
 }
 
 std::string block(const ScenePair& pair, const ShadowResult& result, std::size_t index) {
-  std::string text = pair.light + " / " + pair.blocker + "\n  position   " + std::string(name(pair.position)) + '\n';
-  if (!pair.supported()) return text + "  left out   " + pair.reason + '\n';
+  std::string text =
+      pair.light + " / " + pair.blocker + '\n' + labelled("position", std::string(name(pair.position)), 2);
+  if (!pair.supported()) return text + labelled("left out", pair.reason, 2);
   const TextRow extremal = extremal_row(result, index);
-  text += "  " + extremal[0] + std::string(11 - extremal[0].size(), ' ') + extremal[1] + '\n';
+  text += labelled(extremal[0], extremal[1], 2);
   std::vector<TextRow> rows;
   for (const ShadowExtent& extent : shadow_extents(result, index)) {
     rows.push_back({std::string(extent.name), extent_text(extent.facts) + pockets_text(result, index, extent.name),
@@ -74,29 +76,47 @@ std::string block(const ScenePair& pair, const ShadowResult& result, std::size_t
   return text + aligned(rows, 2);
 }
 
+/// What stands in a table for a volume: unbounded ones have a star.
+std::string size_text(const ShadowExtent& extent) {
+  if (extent.facts.empty) return "empty";
+  return rounded_text(extent.size_in_box) + (extent.facts.bounded ? "" : " *");
+}
+
 TextRow line(const ScenePair& pair, const ShadowResult& result, std::size_t index) {
-  TextRow row{pair.light, pair.blocker, std::string(name(pair.position))};
+  TextRow row{pair.light, pair.blocker};
   if (!pair.supported()) {
     row.emplace_back("left out");
-    return row;
-  }
-  const ContactCounts counts = contact_counts(result, index);
-  row.push_back(std::to_string(counts.separating) + " + " + std::to_string(counts.supporting));
-  for (const ShadowExtent& extent : shadow_extents(result, index)) {
-    row.push_back(extent.facts.empty
-                      ? "empty"
-                      : rounded_text(extent.size_in_box) + (extent.facts.bounded ? " bounded" : " unbounded"));
+  } else {
+    const ContactCounts counts = contact_counts(result, index);
+    row.push_back(std::to_string(counts.separating) + " + " + std::to_string(counts.supporting));
+    for (const ShadowExtent& extent : shadow_extents(result, index)) row.push_back(size_text(extent));
   }
   return row;
+}
+
+/// Which pairs are in which position; nothing of the standard one.
+std::string positions_text(const std::vector<ScenePair>& pairs) {
+  std::map<std::string_view, std::string> others;
+  for (const ScenePair& pair : pairs) {
+    if (pair.position == Position::standard) continue;
+    std::string& list = others[name(pair.position)];
+    list += (list.empty() ? "" : ", ") + pair.light + " / " + pair.blocker;
+  }
+  if (others.empty()) return "position: standard\n";
+  std::string text = "position: standard, but\n";
+  for (const auto& [position, list] : others) text += in_columns("  " + std::string(position) + ": " + list);
+  return text;
 }
 
 std::string table(const ShadowResult& result, const std::vector<ScenePair>& pairs) {
   const bool planar = result.scene->dimension == 2;
   const std::string extremal = planar ? "lines" : "planes";
-  std::vector<TextRow> rows{{"light", "blocker", "position", extremal, "occlusion", "umbra", "penumbra"}};
+  std::vector<TextRow> rows{{"light", "blocker", extremal, "occlusion", "umbra", "penumbra"}};
   for (std::size_t i = 0; i < pairs.size(); ++i) rows.push_back(line(pairs[i], result, i));
-  return aligned(rows, 0) + '\n' + extremal + ": separating + supporting; " + (planar ? "areas" : "volumes") +
-         ": in the box, in " + size_unit(*result.scene) + '\n';
+  return aligned(rows, 0) + '\n' +
+         in_columns(extremal + ": separating + supporting; " + (planar ? "areas" : "volumes") + ": in the box, in " +
+                    size_unit(*result.scene) + ", * unbounded") +
+         positions_text(pairs);
 }
 
 /// Every light behind all of its blockers together.
@@ -118,8 +138,8 @@ std::string together_text(const ShadowResult& result) {
 }  // namespace
 
 std::string shadow_summary(const ShadowResult& result, const std::vector<ScenePair>& pairs) {
-  std::string text = "scene      " + scene_text(*result.scene) + "\nclip box   " +
-                     box_text(result.clip_box, result.scene->dimension) + "\n\n";
+  std::string text = labelled("scene", scene_text(*result.scene)) +
+                     labelled("clip box", box_text(result.clip_box, result.scene->dimension)) + '\n';
   if (pairs.size() > most_blocks) return text + table(result, pairs) + together_text(result);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (i != 0) text += '\n';

@@ -9,7 +9,7 @@ namespace gnomon {
 namespace {
 
 constexpr std::array commands{
-    Command{"theorems", "checks every numbered statement of the theory, and refutes the false ones", theorems_command},
+    Command{"theorems", "checks every statement of the theory, refutes the false ones", theorems_command},
     Command{"report", "measures speed against error and tries hard cases, with plots", report_command},
 };
 

@@ -12,6 +12,15 @@ add_test(NAME Install.AnOutsideProjectFindsBuildsAndRuns
       -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
     --test-command gnomon_consumer)
 
+# The installed program finds the installed examples, and the pages are there.
+add_test(NAME Install.BringsExamples COMMAND ${consumer_folder}/prefix/bin/gnomon example figure_4_22)
+add_test(NAME Install.BringsPages COMMAND ${CMAKE_COMMAND} -E md5sum README.md CHANGELOG.md CITATION.cff docs/tutorial.md
+  docs/pictures/figure_4_22.png geometry/references.md)
+set_tests_properties(Install.BringsPages PROPERTIES
+  WORKING_DIRECTORY ${consumer_folder}/prefix/${CMAKE_INSTALL_DATADIR}/doc/gnomon)
+set_tests_properties(Install.BringsExamples Install.BringsPages PROPERTIES LABELS install
+  FIXTURES_REQUIRED installed_gnomon)
+
 # gnomon_refusal_test(NAME SAYS regular-expression OPTIONS option...): a project that needs gnomon::viz is told why it
 # cannot have it.
 function(gnomon_refusal_test name)

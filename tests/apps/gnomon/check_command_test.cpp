@@ -34,6 +34,26 @@ TEST_F(CheckCommand, PrintsEveryPairWithItsPositionOrTheReason) {
               AllOf(HasSubstr("1 of 2 supported"), HasSubstr("strictly apart")));
 }
 
+TEST_F(CheckCommand, PrintsAtMost20PairsUnsupportedOnesFirst) {
+  std::string blockers = R"({"name": "shelf", "shape": "polygon", "vertices": [[2,-1,3], [2,1,3], [2,1,5], [2,-1,5]]})";
+  for (int i = 0; i < 60; ++i) {
+    const std::string x = std::to_string(10 * i), right = std::to_string(10 * i + 1);
+    blockers = R"({"name": "leaf)" + std::to_string(i) + R"(", "shape": "polygon", "vertices": [[)" + x + ",0,1],[" +
+               right + ",0,1],[" + x + ",1,1]]}," + blockers;
+  }
+  write("many.scene.json", R"({"gnomon": 1, "dimension": 3, "lights": [{"name": "lamp", "shape": "polygon",
+    "vertices": [[-1,-1,4], [-1,1,4], [1,1,4], [1,-1,4.000000000001]]}], "blockers": [)" +
+                               blockers + "]}");
+  const Outcome run = gnomon("check many.scene.json --json all.json");
+  const std::string pairs = run.out.substr(run.out.find("pairs, "));
+  EXPECT_THAT(pairs, AllOf(HasSubstr("60 of 61 supported"), HasSubstr("shelf"), HasSubstr("and 41 more")));
+  std::size_t lines = 0;
+  for (std::size_t at = pairs.find("\n  lamp  "); at != std::string::npos; at = pairs.find("\n  lamp  ", at + 1))
+    ++lines;
+  EXPECT_EQ(lines, 20u);
+  EXPECT_EQ(read_json("all.json")["pairs"].size(), 61u);
+}
+
 TEST_F(CheckCommand, PrintsEveryDoubt) {
   // The last vertex is off the plane by far less than 1e-9 of the diameter.
   write("rounded.scene.json", R"({"gnomon": 1, "dimension": 3,

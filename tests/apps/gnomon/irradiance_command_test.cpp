@@ -46,6 +46,45 @@ TEST_F(IrradianceCommand, TellsValueAndBoundOfEveryLightPointByPoint) {
   EXPECT_EQ(result["point_count"], 2);
 }
 
+TEST_F(IrradianceCommand, GivesARowForEachPointOnRequest) {
+  write("points.csv", "x,y,z,nx,ny,nz,label\n0,0,0,0,0,2,a\n0,0,0,0,0,-1,b\n");
+  const std::string start = "irradiance lamps.scene.json --at points.csv ";
+  EXPECT_THAT(lines(gnomon(start + "--sum").out), ElementsAre("x,y,z,nx,ny,nz,label,irradiance,error_bound",
+                                                              StartsWith("0,0,0,0,0,2,a,2.6"), "0,0,0,0,0,-1,b,0,0"));
+  EXPECT_THAT(lines(gnomon(start + "--wide").out),
+              ElementsAre("x,y,z,nx,ny,nz,label,irradiance_bulb,error_bound_bulb,irradiance_tube,error_bound_tube",
+                          testing::MatchesRegex("0,0,0,0,0,2,a,1\\.6[^,]*,[^,]+,1,[^,]+"), "0,0,0,0,0,-1,b,0,0,0,0"));
+  EXPECT_THAT(lines(gnomon(start + "--wide --sum").out)[0],
+              testing::EndsWith("error_bound_tube,irradiance,error_bound"));
+  const json sum = json::parse(gnomon(start + "--sum --json -").out)["points"][0]["sum"];
+  EXPECT_LE(std::fabs(sum["irradiance"].get<double>() - 2.6), sum["error_bound"].get<double>());
+}
+
+TEST_F(IrradianceCommand, TellsMeanLeastAndLargestWithBounds) {
+  write("points.csv", "x,y,z,nx,ny,nz\n0,0,0,0,0,2\n0,0,0,0,0,-1\n");
+  const Outcome run = gnomon("irradiance lamps.scene.json --at points.csv --out e.csv --json e.json");
+  EXPECT_THAT(run.out, testing::AllOf(HasSubstr("2 points"), HasSubstr("mean"), HasSubstr("bulb"), HasSubstr("0.8 +- "),
+                                      HasSubstr("all together")));
+  const json summary = read_json("e.json")["summary"];
+  const auto expect = [](const json& found, double value) {
+    EXPECT_LE(std::fabs(found["irradiance"].get<double>() - value), found["error_bound"].get<double>() + 1e-300);
+  };
+  expect(summary["lights"][0]["mean"], 0.8);
+  expect(summary["lights"][0]["largest"], 1.6);
+  expect(summary["sum"]["mean"], 1.3);
+  expect(summary["sum"]["least"], 0);
+}
+
+TEST_F(IrradianceCommand, RefusesAReceiverWhoseGridOverflows) {
+  write("wide.scene.json", R"({"gnomon": 1, "dimension": 3,
+    "lights": [{"name": "bulb", "shape": "point", "position": [0, 0, 2], "intensity": 4}], "blockers": [],
+    "receivers": [{"name": "plain", "shape": "polygon",
+                   "vertices": [[-1e308, -1e308, 0], [1e308, -1e308, 0], [1e308, 1e308, 0], [-1e308, 1e308, 0]]}]})");
+  const Outcome run = gnomon("irradiance wide.scene.json --on plain --shape 3,3");
+  EXPECT_EQ(run.code, 4);
+  EXPECT_THAT(run.err, HasSubstr("receiver 'plain' is wider than doubles go"));
+}
+
 TEST_F(IrradianceCommand, NothingArrivesInTheUmbra) {
   write("points.csv", "x,y,z,nx,ny,nz\n0,0,0,0,0,1\n");
   EXPECT_THAT(lines(gnomon("irradiance table.scene.json --at points.csv").out),

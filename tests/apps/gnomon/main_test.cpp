@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "tests/apps/gnomon/program_fixture.h"
 
 namespace gnomon {
@@ -18,6 +20,11 @@ TEST_F(Program, PrintsItsVersion) {
   EXPECT_EQ(run.code, 0);
   EXPECT_EQ(run.out, "gnomon " GNOMON_VERSION "\n");
   EXPECT_THAT(run.err, IsEmpty());
+}
+
+TEST_F(Program, VersionIsThatOfTheCitationAndTheChangelog) {
+  EXPECT_EQ(shell("grep '^version: ' \"$(realpath examples)/../CITATION.cff\"").out, "version: " GNOMON_VERSION "\n");
+  EXPECT_EQ(shell("grep -c '^## .*" GNOMON_VERSION "' \"$(realpath examples)/../CHANGELOG.md\"").out, "1\n");
 }
 
 TEST_F(Program, HelpNamesEveryCommand) {
@@ -65,6 +72,31 @@ TEST_F(Program, EveryHelpEndsWithTwoExamples) {
   }
 }
 
+/// The first line that is wider than a terminal.
+std::string wide_line(const std::string& text) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.size() > 80) return line;
+  }
+  return "";
+}
+
+TEST_F(Program, HelpAndTablesAreAtMost80ColumnsWide) {
+  std::vector<std::string> commands = commands_of(gnomon("--help").out);
+  commands.emplace_back();
+  for (const std::string& command : commands) EXPECT_EQ(wide_line(gnomon(command + " --help").out), "") << command;
+  write("mixed.scene.json", mixed_scene);
+  write("bent.scene.json", bent_lamp_scene);
+  for (const std::string words :
+       {"check mixed.scene.json", "check bent.scene.json", "check examples/cornell_box.scene.json", "example",
+        "shadow mixed.scene.json --out out", "shadow examples/cornell_box.scene.json --out out",
+        "shadow examples/figure_4_19.scene.json --out out", "receivers examples/figure_4_22.scene.json",
+        "irradiance examples/figure_4_22.scene.json --on floor --shape 3,3 --out e.csv",
+        "regions examples/cornell_box.scene.json --at examples/points.csv --out r.csv"}) {
+    EXPECT_EQ(wide_line(gnomon(words).out), "") << words;
+  }
+}
+
 TEST_F(Program, HelpIsGivenWhereARequiredArgumentIsMissing) {
   EXPECT_EQ(gnomon("check --help").code, 0);
   EXPECT_EQ(gnomon("render -h").code, 0);
@@ -84,11 +116,34 @@ TEST_F(Program, FailsWhereStandardOutputCannotBeWritten) {
   }
 }
 
-TEST_F(Program, SurvivesAReaderThatGoesAway) {
-  // A pipe whose reading end is closed before the program starts.
-  const Outcome run = shell("mkfifo pipe; exec 3<>pipe; exec 4>pipe; exec 3<&-; \"$GNOMON\" --help >&4");
-  EXPECT_EQ(run.code, 1);
-  EXPECT_THAT(run.err, HasSubstr("standard output"));
+TEST_F(Program, EndsQuietlyWhenItsReaderHasReadEnough) {
+  write(
+      "points.csv", "x,y,z\n" + [] {
+        std::string rows;
+        for (int i = 0; i < 20000; ++i) rows += std::to_string(i) + ",0,0\n";
+        return rows;
+      }());
+  write("table.scene.json", table_scene);
+  // A pipe whose reading end is closed before the program starts, and one that is closed while it writes.
+  for (const std::string words : {"--help", "check table.scene.json", "shadow table.scene.json --json -",
+                                  "regions table.scene.json --at points.csv"}) {
+    const Outcome closed =
+        shell("rm -f pipe; mkfifo pipe; exec 3<>pipe; exec 4>pipe; exec 3<&-; \"$GNOMON\" " + words + " >&4");
+    EXPECT_EQ(closed.code, 0) << words;
+    EXPECT_THAT(closed.err, IsEmpty()) << words;
+    const Outcome cut = shell("{ \"$GNOMON\" " + words + "; echo \"code $?\" >&2; } | head -n 1 >/dev/null");
+    EXPECT_EQ(cut.err, "code 0\n") << words;
+  }
+}
+
+TEST_F(Program, WritesAFileThoughNobodyReadsStdoutAnyMore) {
+  write("table.scene.json", table_scene);
+  write("points.csv", "x,y,z\n0,0,0\n");
+  const Outcome run = shell(
+      "mkfifo pipe; exec 3<>pipe; exec 4>pipe; exec 3<&-;"
+      "\"$GNOMON\" regions table.scene.json --at points.csv --json seen.json >&4");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_EQ(read_json("seen.json")["point_count"], 1);
 }
 
 TEST_F(Program, RunsWithAllStandardStreamsClosed) {

@@ -61,6 +61,14 @@ TEST_F(Manual, PageIsFormattedWithoutAWarning) {
   EXPECT_THAT(run.err, IsEmpty());
 }
 
+TEST_F(Manual, PageIsAtMost80ColumnsWide) {
+  if (shell("command -v groff").code != 0) GTEST_SKIP() << "groff (Debian package groff-base) is not installed";
+  std::istringstream lines(shell("groff -man -Tascii -P-cbou -rLL=80n '" GNOMON_MAN_PAGE "'").out);
+  std::size_t count = 0;
+  for (std::string line; std::getline(lines, line); ++count) EXPECT_LE(line.size(), 80u) << line;
+  EXPECT_GT(count, 200u);
+}
+
 TEST_F(Manual, CompletionOffersCommandsAndTheirOptions) {
   const std::vector<std::string> commands = commands_of(gnomon("--help").out);
   EXPECT_THAT(offered("\"\"", 1), IsSupersetOf(commands));

@@ -203,6 +203,23 @@ TEST_F(TerrainUnderALamp, IsOneBlockAndOneRowOfAllFacets) {
   EXPECT_EQ(names_in("mesh/shadow/scene/receivers").size(), 1U);
 }
 
+TEST_F(TerrainUnderALamp, TellsTheMeshOfEveryFacetByItsName) {
+  const json model =
+      json::parse(gnomon("receivers terrain.scene.json --mesh faces,edges --json -").out)["receivers"][0];
+  EXPECT_FALSE(model.contains("mesh"));
+  ASSERT_EQ(model["meshes"].size(), 288U);
+  EXPECT_EQ(model["meshes"][287]["facet"], "model#287");
+  std::size_t faces = 0, edges = 0, vertices = 0;
+  for (const json& mesh : model["meshes"]) {
+    faces += mesh["faces"].size();
+    edges += mesh["edges"].size();
+    vertices += mesh["vertices"].size();
+  }
+  EXPECT_EQ(model["faces"], faces);
+  EXPECT_EQ(model["edges"], edges);
+  EXPECT_EQ(model["vertices"], vertices);
+}
+
 TEST_F(ReceiverSides, AConcaveReceiverIsDividedExactly) {
   write("roof.scene.json", R"({"gnomon": 1, "dimension": 3,
     "lights": [{"name": "sun", "shape": "direction", "direction": [0, 0, -1]}],

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "tests/apps/gnomon/program_fixture.h"
 
 namespace gnomon {
@@ -40,6 +42,52 @@ TEST_F(ReceiversCommand, TellsTheExactAreasOfRegionsAsJson) {
   EXPECT_EQ(floor["areas"]["lit"]["double"], 1500.0);
   EXPECT_EQ(floor["areas"]["unresolved_eee"]["exact"], "0");
   EXPECT_GT(floor["faces"], 2);
+}
+
+/// The area inside cycles of vertices in the plane z = 0, holes counted off.
+double area_of(const json& cycles, const json& vertices) {
+  double doubled = 0;
+  for (const json& cycle : cycles) {
+    for (std::size_t i = 0; i < cycle.size(); ++i) {
+      const json& p = vertices.at(cycle.at(i).get<std::size_t>());
+      const json& q = vertices.at(cycle.at((i + 1) % cycle.size()).get<std::size_t>());
+      doubled += p[0].get<double>() * q[1].get<double>() - p[1].get<double>() * q[0].get<double>();
+    }
+  }
+  return doubled / 2;
+}
+
+TEST_F(ReceiversCommand, TellsTheMeshOnRequest) {
+  const Outcome run = gnomon("receivers floor.scene.json --receiver floor --mesh faces,edges,polygons --json -");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json floor = json::parse(run.out)["receivers"].at(0);
+  const json& mesh = floor["mesh"];
+  EXPECT_EQ(mesh["vertices"].size(), floor["vertices"]);
+  EXPECT_EQ(mesh["faces"].size(), floor["faces"]);
+  EXPECT_EQ(mesh["edges"].size(), floor["edges"]);
+  EXPECT_EQ(mesh["polygons"].size(), floor["regions"]);
+  for (const char* parts : {"faces", "polygons"}) {
+    std::map<std::string, double> areas;
+    for (const json& part : mesh[parts]) areas[part["region"]] += area_of(part["cycles"], mesh["vertices"]);
+    EXPECT_EQ(areas, (std::map<std::string, double>{{"lit", 1500}, {"penumbra", 64}, {"umbra", 36}})) << parts;
+  }
+  for (const json& edge : mesh["edges"]) {
+    EXPECT_LT(edge["vertices"].at(1).get<std::size_t>(), mesh["vertices"].size());
+    EXPECT_TRUE(edge["left"].is_null() || edge["left"].get<std::size_t>() < mesh["faces"].size());
+    EXPECT_FALSE(edge["events"].empty());
+    for (const json& event : edge["events"]) EXPECT_LT(event.get<std::size_t>(), mesh["events"].size());
+  }
+  EXPECT_EQ(mesh["events"].at(0)["kind"], "border");
+  EXPECT_EQ(mesh["events"].at(0)["edge"]["of"], "receiver:floor");
+}
+
+TEST_F(ReceiversCommand, TellsOnlyWhatIsAskedForOfTheMesh) {
+  const json polygons = json::parse(gnomon("receivers floor.scene.json --mesh polygons --json -").out)["receivers"][0];
+  EXPECT_TRUE(polygons["mesh"].contains("polygons"));
+  EXPECT_FALSE(polygons["mesh"].contains("faces"));
+  EXPECT_FALSE(json::parse(gnomon("receivers floor.scene.json --json -").out)["receivers"][0].contains("mesh"));
+  EXPECT_EQ(gnomon("receivers floor.scene.json --mesh polygons").code, 2);
+  EXPECT_EQ(gnomon("receivers floor.scene.json --mesh corners --json -").code, 2);
 }
 
 TEST_F(ReceiversCommand, CallsAReceiverInTheLightsPlaneUnlit) {

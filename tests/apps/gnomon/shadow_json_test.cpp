@@ -53,9 +53,31 @@ TEST_F(ShadowJson, NamesTheLowestOfTheVerticesThatTouch) {
   const json supporting = {{"contact", "supporting"},
                            {"edge", {{"of", "blocker"}, {"index", 0}}},
                            {"vertex", {{"of", "light"}, {"index", 0}}}};
-  const json planes = document(table_scene)["pairs"].at(0)["planes"];
+  json planes = document(table_scene)["pairs"].at(0)["planes"];
+  for (json& plane : planes) {
+    for (const char* number : {"coefficients", "exact"}) EXPECT_EQ(plane.erase(number), 1u);
+  }
   EXPECT_EQ(std::count(planes.begin(), planes.end(), separating), 1);
   EXPECT_EQ(std::count(planes.begin(), planes.end(), supporting), 1);
+}
+
+/// a x + b y + c z + d of a plane's coefficients.
+double value_at(const json& plane, double x, double y, double z) {
+  const json& c = plane["coefficients"];
+  return c.at(0).get<double>() * x + c.at(1).get<double>() * y + c.at(2).get<double>() * z + c.at(3).get<double>();
+}
+
+TEST_F(ShadowJson, GivesThePlanesCoefficientsWithTheVolumeOnTheNegativeSide) {
+  // The table's edge 0 is y = -2 at height 2; the lamp's edges y = 1 and y = -1 are at height 4.
+  for (const json& plane : document(table_scene)["pairs"].at(0)["planes"]) {
+    if (plane["edge"]["index"] != 0) continue;
+    const bool separates = plane["contact"] == "separating";
+    EXPECT_EQ(value_at(plane, 7, -2, 2), 0) << plane;
+    EXPECT_EQ(value_at(plane, -7, separates ? 1 : -1, 4), 0) << plane;
+    EXPECT_LT(value_at(plane, 0, 0, 0), 0) << plane;
+    EXPECT_EQ(plane["exact"].size(), 4u);
+    EXPECT_EQ(plane["exact"].at(0), "0");
+  }
 }
 
 TEST_F(ShadowJson, GivesVolumesInTheBoxCorrectlyRounded) {

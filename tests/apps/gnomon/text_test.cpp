@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <sstream>
 #include <string>
 
 namespace gnomon {
@@ -35,6 +37,66 @@ TEST(Aligned, CountsCharactersNotBytes) {
   EXPECT_EQ(aligned({{"é", "b"}, {"ab", "c"}}, 0), "é   b\nab  c\n");
 }
 
+/// Every line with its number of characters, if there is one that is too long.
+std::string too_long(const std::string& text) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const auto starts = [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; };
+    if (std::count_if(line.begin(), line.end(), starts) > 80) return line;
+  }
+  return "";
+}
+
+TEST(Aligned, BreaksTheLastColumnBetweenWordsWhereThereIsNoRoom) {
+  const std::string long_reason =
+      "the light's vertices are not exactly coplanar, so the blocker has to lie apart from it";
+  const std::string text =
+      aligned({{"lamp", "table", "standard", "supported"}, {"lamp", "shelf", "both_cross", long_reason}}, 2);
+  EXPECT_EQ(too_long(text), "");
+  EXPECT_THAT(text,
+              testing::StartsWith("  lamp  table  standard    supported\n  lamp  shelf  both_cross  the light's"));
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3);
+}
+
+TEST(Aligned, LeavesOutTheMiddleOfNamesThatAreTooLong) {
+  const std::string name = std::string(90, 'a') + std::string(90, 'z'), umlauts = [] {
+    std::string text;
+    for (int i = 0; i < 100; ++i) text += "ü";
+    return text;
+  }();
+  const std::string text = aligned({{name, "1"}, {umlauts, "2"}, {"b", "3"}}, 0);
+  EXPECT_EQ(too_long(text), "");
+  EXPECT_THAT(text, testing::ContainsRegex("^a+\\.\\.\\.z+  1\n"));
+  EXPECT_THAT(text, testing::HasSubstr("ü...ü"));
+}
+
+TEST(Aligned, LeavesNumbersWhole) {
+  const std::string number = "1.23456e+108 *";
+  const std::string name(60, 'n');
+  EXPECT_THAT(aligned({{name, name, number, number, number}}, 0),
+              testing::HasSubstr(number + "  " + number + "  " + number));
+}
+
+TEST(InColumns, BreaksOptionsBelowTheirHelpAndJoinsParagraphs) {
+  const std::string help =
+      "Tells a lot, in a first line,\nand in a second.\n\nOptions:\n  --at FILE                   A text that goes on "
+      "and on and "
+      "on until there is no more room for it in one line\n  --b                         Short\n";
+  EXPECT_EQ(in_columns(help),
+            "Tells a lot, in a first line, and in a second.\n\nOptions:\n"
+            "  --at FILE                   A text that goes on and on and on until there is\n"
+            "                              no more room for it in one line\n"
+            "  --b                         Short\n");
+}
+
+TEST(InColumns, LeavesWordsWholeAndNothingOut) {
+  const std::string word(100, 'x');
+  EXPECT_EQ(in_columns(word), word + '\n');
+  EXPECT_EQ(in_columns("  " + word + " y"), "  " + word + "\n  y\n");
+  EXPECT_EQ(in_columns(""), "");
+  EXPECT_EQ(in_columns("\n\n"), "\n\n");
+}
+
 TEST(ShellWord, QuotesOnlyWhatTheShellWouldSplitOrReplace) {
   EXPECT_EQ(shell_word("out/view.py"), "out/view.py");
   EXPECT_EQ(shell_word("my shadows"), "'my shadows'");
@@ -49,6 +111,8 @@ TEST(Counted, SaysOneInTheSingular) {
 
 TEST(Text, RoundsNumbersForPeopleToSixDigits) {
   EXPECT_EQ(rounded_text(1.0 / 3), "0.333333");
+  EXPECT_EQ(rounded_text(2.0 / 3), "0.666667");
+  EXPECT_EQ(rounded_text(104), "104");
   EXPECT_EQ(rounded_text(1234567.8), "1234570");
   EXPECT_EQ(rounded_text(-2.5), "-2.5");
   EXPECT_EQ(rounded_text(0), "0");

@@ -1,0 +1,147 @@
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "apps/gnomon/command_line.h"
+#include "apps/gnomon/commands.h"
+#include "apps/gnomon/console.h"
+#include "apps/gnomon/output_file.h"
+#include "apps/gnomon/text.h"
+#include "geometry/scene/file_text.h"
+#include "geometry/scene/scene_reader.h"
+
+namespace gnomon {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view scene_ending = ".scene.json";
+
+/// Where the examples lie beside the program, installed or in a build.
+fs::path example_folder() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  const fs::path folder = (program.parent_path() / "../share/gnomon/examples").lexically_normal();
+  if (!fs::is_directory(folder, error)) {
+    throw std::runtime_error("the examples are not installed: there is no folder " + folder.string());
+  }
+  return folder;
+}
+
+/// The examples as they are asked for: scenes by their names, other files by theirs with ending.
+std::vector<std::string> example_names(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    std::string name = entry.path().filename().string();
+    if (name.ends_with(scene_ending)) name.resize(name.size() - scene_ending.size());
+    if (entry.is_regular_file() && entry.path().extension() != ".license") names.push_back(std::move(name));
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string file_of(const std::string& name, const fs::path& folder) {
+  const std::vector<std::string> names = example_names(folder);
+  const bool is_written_out = name.ends_with(scene_ending);
+  const std::string wanted = is_written_out ? name.substr(0, name.size() - scene_ending.size()) : name;
+  if (std::find(names.begin(), names.end(), wanted) == names.end()) {
+    const std::vector<std::string_view> words(names.begin(), names.end());
+    throw UsageError("there is no example '" + name + "'; the nearest is '" + std::string(nearest_word(wanted, words)) +
+                     "', and 'gnomon example' lists them all");
+  }
+  std::error_code ignored;
+  return fs::is_regular_file(folder / wanted, ignored) ? wanted : wanted + std::string(scene_ending);
+}
+
+bool is_scene(const std::string& file) {
+  return file.ends_with(scene_ending);
+}
+
+/// The mesh files that a scene needs beside it.
+std::vector<std::string> needed_files(const std::string& file, const fs::path& folder) {
+  std::vector<std::string> files;
+  if (!is_scene(file)) return files;
+  for (const SceneBlocker& blocker : read_scene(folder / file).blockers) {
+    if (const auto* mesh = std::get_if<Mesh>(&blocker.shape)) files.push_back(mesh->file);
+  }
+  return files;
+}
+
+std::string contents_of(const fs::path& file) {
+  FileText text = file_text(file, std::size_t{1} << 26U, FileKind::regular);
+  if (!text.problem.empty()) throw std::runtime_error("cannot read " + file.string() + ": found " + text.problem);
+  return std::move(text.text);
+}
+
+void print_list(const fs::path& folder) {
+  std::vector<TextRow> rows;
+  for (const std::string& name : example_names(folder)) {
+    const std::string file = file_of(name, folder);
+    if (!is_scene(file)) {
+      rows.push_back({name, "a file that examples use"});
+      continue;
+    }
+    const Scene scene = read_scene(folder / file);
+    const bool planar = scene.dimension == 2;
+    rows.push_back({name, counted(planar ? scene.planar_lights.size() : scene.lights.size(), "light") + ", " +
+                              counted(planar ? scene.planar_blockers.size() : scene.blockers.size(), "blocker") +
+                              (planar ? ", in the plane" : ", in space")});
+  }
+  std::cout << aligned(rows, 0);
+}
+
+/// A file that is there already stays, unless it is the same.
+void copy_example(const fs::path& source, const fs::path& target) {
+  const std::string text = contents_of(source);
+  std::error_code ignored;
+  if (fs::exists(fs::symlink_status(target, ignored))) {
+    if (fs::is_regular_file(target, ignored) && contents_of(target) == text) return;
+    throw std::runtime_error("cannot write " + target.string() + ": another file of that name is there");
+  }
+  write_output_file(target, text);
+}
+
+void copy_examples(const std::vector<std::string>& files, const fs::path& from, const fs::path& to) {
+  fs::create_directories(to);
+  for (const std::string& file : files) copy_example(from / file, to / file);
+  for (const std::string& file : files) std::cout << "written    " << shell_word((to / file).string()) << '\n';
+}
+
+void print_example(const std::string& name, const std::vector<std::string>& files, const fs::path& folder) {
+  std::cout << contents_of(folder / files.front());
+  if (files.size() == 1) return;
+  print_warning(name + " needs " + files[1] + " beside it; 'gnomon example " + name + " --out DIR' copies both");
+}
+
+}  // namespace
+
+ExitCode example_command(Arguments arguments) {
+  CLI::App app("Prints an example that is installed with the program, or the list of them.", "gnomon example");
+  std::string name, out;
+  add_text(app, "NAME", name, "NAME", "A scene, or another file, of the list; without it the list");
+  add_text(app, "--out", out, "DIR", "Copy the example into this folder, with the files that it needs");
+  app.footer(
+      "Examples:\n"
+      "  gnomon example\n"
+      "  gnomon example letter_block --out examples_of_gnomon\n");
+  if (!parse_arguments(app, arguments)) return ExitCode::done;
+  if (name.empty() && !out.empty()) throw UsageError("--out copies an example: name one");
+  const fs::path folder = example_folder();
+  if (name.empty()) {
+    print_list(folder);
+    return ExitCode::done;
+  }
+  std::vector<std::string> files = {file_of(name, folder)};
+  for (const std::string& needed : needed_files(files.front(), folder)) files.push_back(needed);
+  if (out.empty()) {
+    print_example(name, files, folder);
+  } else {
+    copy_examples(files, folder, out);
+  }
+  return ExitCode::done;
+}
+
+}  // namespace gnomon

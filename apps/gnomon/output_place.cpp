@@ -1,0 +1,91 @@
+#include "apps/gnomon/output_place.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <system_error>
+
+#include "apps/gnomon/commands.h"
+#include "apps/gnomon/console.h"
+#include "viz/shadow_writer.h"
+
+namespace gnomon {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Endings that say what a file holds; any other is the user's own affair.
+constexpr std::array<std::string_view, 17> known_endings = {".csv",  ".json", ".vti", ".vtm",  ".vtpc", ".vtp",
+                                                            ".vtu",  ".pvd",  ".obj", ".stl",  ".off",  ".ply",
+                                                            ".gltf", ".glb",  ".png", ".html", ".svg"};
+
+std::string ending_of(const std::string& name) {
+  std::string ending = fs::path(name).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return std::ranges::count(known_endings, ending) > 0 ? ending : "";
+}
+
+bool fits_place(const std::string& name, OutputKind kind) {
+  std::error_code ignored;
+  const std::string ending = ending_of(name);
+  switch (kind) {
+    case OutputKind::folder:
+      return name != "-" && (ending.empty() || fs::is_directory(name, ignored));
+    case OutputKind::csv:
+      return ending.empty() || ending == ".csv";
+    case OutputKind::json:
+      return ending.empty() || ending == ".json";
+    case OutputKind::image:
+      return fs::path(name).extension() == ".vti";
+  }
+  return true;
+}
+
+std::string place_for(OutputKind kind) {
+  switch (kind) {
+    case OutputKind::folder:
+      return "a folder, for a result has many files (--json - writes one document to stdout)";
+    case OutputKind::csv:
+      return "a file that ends in .csv, or - for stdout";
+    case OutputKind::json:
+      return "a file that ends in .json, or - for stdout";
+    case OutputKind::image:
+      return "a file that ends in .vti, which ParaView opens; image data do not go to stdout";
+  }
+  return {};
+}
+
+}  // namespace
+
+void require_place(std::string_view option, const std::string& name, OutputKind kind) {
+  if (name.empty() || fits_place(name, kind)) return;
+  throw UsageError(std::string(option) + ' ' + name + ": expected " + place_for(kind));
+}
+
+void require_table_places(const std::string& out, const std::string& json) {
+  require_place("--out", out, OutputKind::csv);
+  require_place("--json", json, OutputKind::json);
+  if (out.empty() || json.empty()) return;
+  std::error_code ignored;
+  const bool both_to_stdout = out == "-" && json == "-";
+  if (both_to_stdout || fs::path(out).lexically_normal() == fs::path(json).lexically_normal() ||
+      fs::equivalent(out, json, ignored)) {
+    throw UsageError("--out " + out + " and --json " + json + " name one place; expected two");
+  }
+}
+
+void require_free_folder(const std::string& folder) {
+  if (folder.empty()) return;
+  require_place("--out", folder, OutputKind::folder);
+  require_result_folder(folder);
+}
+
+void warn_of_outdated_results(const std::string& folder) {
+  for (const std::string& root : outdated_roots(folder)) {
+    print_warning((fs::path(folder) / root).string() +
+                  " is of another scene or box than what was written now; write it again");
+  }
+}
+
+}  // namespace gnomon

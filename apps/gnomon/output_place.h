@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace gnomon {
+
+/// What an option takes the name of.
+enum class OutputKind {
+  folder,  ///< of a result
+  csv,     ///< "-" is stdout
+  json,    ///< "-" is stdout
+  image,   ///< VTK image data
+};
+
+/// Refuses a name whose ending says that something else is meant (a folder `out.vtm`, a table `points.json`), and "-"
+/// where a result does not go to stdout. An empty name is an option that was not given.
+///
+/// Throws: UsageError telling what would do.
+void require_place(std::string_view option, const std::string& name, OutputKind kind);
+
+/// The same for a table and its JSON, which must not both go to one file, or to stdout.
+void require_table_places(const std::string& out, const std::string& json);
+
+/// Makes sure that a folder may be written into: require_place, and nothing of others in the way.
+void require_free_folder(const std::string& folder);
+
+/// Warns of results in the folder that other commands have written of another scene or box.
+void warn_of_outdated_results(const std::string& folder);
+
+}  // namespace gnomon
