@@ -11,6 +11,7 @@ import sys
 from paraview import simple
 
 EDGE = [0.12, 0.12, 0.14]
+RECEIVER = [0.82, 0.82, 0.83]
 FRACTION = [0.0, 0.07, 0.22, 0.42, 0.5, 0.47, 0.71, 0.89, 1.0, 1.0, 0.97, 0.86]
 
 
@@ -69,7 +70,7 @@ def sliced_penumbra(folder):
     view = new_view([4.0, -14.0, 6.0], [0.0, 0.0, 1.8])
     show(block(reader, "//scene/blockers"), view, [0.84, 0.37, 0.0])
     show(block(reader, "//scene/lights"), view, [0.94, 0.76, 0.05])
-    show(block(reader, "//scene/receivers"), view, [0.95, 0.93, 0.87])
+    show(block(reader, "//scene/receivers"), view, RECEIVER)
     show(block(reader, "//volumes/*/*/penumbra"), view, [0.47, 0.71, 0.89], 0.15)
     for name, color in (("penumbra", [0.47, 0.71, 0.89]), ("umbra", [0.07, 0.22, 0.42])):
         cut = slice_of(block(reader, f"//solids/*/*/{name}"), [0.0, 0.0, 1.0], [0.0, 1.0, 0.0])

@@ -15,7 +15,8 @@ namespace gnomon::viz {
 /// One leaf of the tree that is written, drawn and read back.
 struct Block {
   std::vector<std::string> path;  ///< for instance {"volumes", "lamp", "table", "umbra"}
-  std::string kind;               ///< light, blocker, receiver, volume, solid, extremal_planes, region or boundaries
+  std::string kind;               ///< light, blocker, receiver, volume, solid, extremal_planes, region,
+                                  ///< boundaries, receiver_faces, receiver_edges or discontinuities
   Fields fields;                  ///< also in the field data of `data`
   vtkSmartPointer<vtkPointSet> data;
 

@@ -7,6 +7,8 @@
 #include <vtkNew.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
+
 #include "geometry/errors.h"
 
 namespace gnomon::viz {
@@ -35,6 +37,12 @@ constexpr CellArray arrays[] = {
      "visible part of the light inside the cell or behind the surface, where it is one number"},
 };
 
+/// Not a number stands for none and is not even equal to itself.
+template <class Value>
+bool is_none(Value value, Value none) {
+  return value == none || value != value;
+}
+
 template <class Array, class Value>
 void add_array(vtkDataSet& data, const char* name, std::span<const CellName> names, Value CellName::*member) {
   vtkNew<Array> array;
@@ -42,6 +50,26 @@ void add_array(vtkDataSet& data, const char* name, std::span<const CellName> nam
   array->SetNumberOfTuples(static_cast<vtkIdType>(names.size()));
   for (std::size_t i = 0; i < names.size(); ++i) array->SetValue(static_cast<vtkIdType>(i), names[i].*member);
   data.GetCellData()->AddArray(array);
+}
+
+/// Adds the arrays of which `is_wanted(name, says_nothing)` is true.
+template <class Wanted>
+void add_arrays(vtkDataSet& data, std::span<const CellName> names, const Wanted& is_wanted) {
+  const auto add = [&]<class Array, class Value>(Array*, const char* name, Value CellName::*member) {
+    const auto is_silent = [&](const CellName& cell) { return is_none(cell.*member, CellName{}.*member); };
+    if (is_wanted(name, std::ranges::all_of(names, is_silent))) add_array<Array>(data, name, names, member);
+  };
+  constexpr vtkUnsignedCharArray* bytes = nullptr;
+  constexpr vtkIntArray* integers = nullptr;
+  add(bytes, "region", &CellName::region);
+  add(integers, "light_id", &CellName::light_id);
+  add(integers, "blocker_id", &CellName::blocker_id);
+  add(integers, "facet_id", &CellName::facet_id);
+  add(bytes, "facet_kind", &CellName::facet_kind);
+  add(integers, "edge_index", &CellName::edge_index);
+  add(integers, "vertex_index", &CellName::vertex_index);
+  add(integers, "discontinuity_order", &CellName::discontinuity_order);
+  add(static_cast<vtkDoubleArray*>(nullptr), "visible_fraction", &CellName::visible_fraction);
 }
 
 }  // namespace
@@ -54,15 +82,22 @@ void add_cell_arrays(vtkDataSet& data, std::span<const CellName> names) {
   if (data.GetNumberOfCells() != static_cast<vtkIdType>(names.size())) {
     throw PreconditionError("cell arrays: one name per cell");
   }
-  add_array<vtkUnsignedCharArray>(data, "region", names, &CellName::region);
-  add_array<vtkIntArray>(data, "light_id", names, &CellName::light_id);
-  add_array<vtkIntArray>(data, "blocker_id", names, &CellName::blocker_id);
-  add_array<vtkIntArray>(data, "facet_id", names, &CellName::facet_id);
-  add_array<vtkUnsignedCharArray>(data, "facet_kind", names, &CellName::facet_kind);
-  add_array<vtkIntArray>(data, "edge_index", names, &CellName::edge_index);
-  add_array<vtkIntArray>(data, "vertex_index", names, &CellName::vertex_index);
-  add_array<vtkIntArray>(data, "discontinuity_order", names, &CellName::discontinuity_order);
-  add_array<vtkDoubleArray>(data, "visible_fraction", names, &CellName::visible_fraction);
+  add_arrays(data, names, [](const char*, bool says_nothing) { return !says_nothing; });
+}
+
+std::vector<std::string> names_of_cell_arrays(vtkDataSet& data) {
+  std::vector<std::string> names;
+  for (int i = 0; i < data.GetCellData()->GetNumberOfArrays(); ++i) {
+    names.emplace_back(data.GetCellData()->GetArrayName(i));
+  }
+  return names;
+}
+
+void add_empty_cell_arrays(vtkDataSet& data, std::span<const std::string> names) {
+  const std::vector<CellName> none(static_cast<std::size_t>(data.GetNumberOfCells()));
+  add_arrays(data, none, [&](const char* name, bool) {
+    return std::ranges::count(names, name) > 0 && !data.GetCellData()->HasArray(name);
+  });
 }
 
 }  // namespace gnomon::viz

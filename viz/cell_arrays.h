@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 class vtkDataSet;
 
@@ -30,12 +32,18 @@ struct CellArray {
   std::string_view meaning;
 };
 
-/// The arrays that every block has, in order.
+/// The arrays that a block may have, in order; it has those that say something of one of its cells.
 std::span<const CellArray> cell_arrays();
 
-/// Adds the arrays, one name per cell in the order of the cells.
+/// Adds the arrays that hold more than "none", one name per cell in the order of the cells.
 ///
 /// Requires: as many names as cells.
 void add_cell_arrays(vtkDataSet& data, std::span<const CellName> names);
+
+/// The names of the arrays that the data have, in order.
+std::vector<std::string> names_of_cell_arrays(vtkDataSet& data);
+
+/// Adds those of the named arrays that the data lack, "none" in every cell.
+void add_empty_cell_arrays(vtkDataSet& data, std::span<const std::string> names);
 
 }  // namespace gnomon::viz

@@ -1,16 +1,14 @@
 #include "viz/discontinuity_blocks.h"
 
 #include <vtkCellData.h>
-#include <vtkDoubleArray.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
 #include <vtkPolyData.h>
 
 #include <algorithm>
 
-#include "geometry/discontinuity/total_area.h"
 #include "viz/cell_arrays.h"
+#include "viz/receiver_blocks.h"
 #include "viz/vtk_cells.h"
 
 namespace gnomon::viz {
@@ -41,14 +39,6 @@ void add_event_array(vtkPolyData& data, const EventCells& events) {
   data.GetCellData()->AddArray(array);
 }
 
-void add_fractions(vtkPolyData& data, const std::vector<double>& fractions) {
-  if (fractions.empty()) return;
-  vtkNew<vtkDoubleArray> array;
-  array->SetName("visible_fraction");
-  for (const double fraction : fractions) array->InsertNextValue(fraction);
-  data.GetPointData()->AddArray(array);
-}
-
 std::int32_t blocker_id(const DiscontinuityResult& result, const EventName& name) {
   if (name.edge.of == EventOf::blocker) return static_cast<std::int32_t>(result.blocker_ids[name.edge.element]);
   if (name.vertex.of == EventOf::blocker) return static_cast<std::int32_t>(result.blocker_ids[name.vertex.element]);
@@ -63,49 +53,6 @@ CellName cell_of(const DiscontinuityResult& result, std::uint32_t light_id, cons
   cell.vertex_index = name.kind == EventKind::vertex_edge ? static_cast<std::int32_t>(name.vertex.index) : -1;
   if (name.kind != EventKind::border) cell.discontinuity_order = name.order;
   return cell;
-}
-
-/// The vertices of all pieces, one after the other, and their visible fractions.
-struct SidePoints {
-  std::vector<Point3> points;
-  std::vector<double> fractions;
-};
-
-SidePoints side_points(SideResult side) {
-  SidePoints result;
-  for (const ReceiverResult& piece : side) {
-    const std::vector<Point3> points = piece.mesh.vertices();
-    result.points.insert(result.points.end(), points.begin(), points.end());
-    result.fractions.insert(result.fractions.end(), piece.visible_fractions.begin(), piece.visible_fractions.end());
-  }
-  return result;
-}
-
-vtkSmartPointer<vtkPolyData> faces(SideResult side, const SidePoints& points) {
-  vtkNew<vtkCellArray> cells;
-  std::vector<CellName> names;
-  vtkIdType first_point = 0;
-  std::size_t first_face = 0;
-  for (const ReceiverResult& piece : side) {
-    for (const ReceiverTriangle& triangle : piece.mesh.triangles()) {
-      insert_cell(*cells, triangle.vertices, first_point);
-      CellName cell;
-      cell.light_id = static_cast<std::int32_t>(piece.light_id);
-      cell.facet_id = static_cast<std::int32_t>(first_face + triangle.face);
-      cell.region = static_cast<std::uint8_t>(piece.mesh.faces()[triangle.face].region);
-      if (cell.region == 0) cell.visible_fraction = 1;
-      if (cell.region == 2 || cell.region == 3) cell.visible_fraction = 0;
-      names.push_back(cell);
-    }
-    first_point += static_cast<vtkIdType>(piece.mesh.vertex_count());
-    first_face += piece.mesh.faces().size();
-  }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(vtk_points(points.points));
-  data->SetPolys(cells);
-  add_cell_arrays(*data, names);
-  add_fractions(*data, points.fractions);
-  return data;
 }
 
 /// Of several events along an edge the one of lowest order names it.
@@ -142,38 +89,21 @@ vtkSmartPointer<vtkPolyData> edges(const DiscontinuityResult& result, SideResult
   data->SetLines(cells);
   add_cell_arrays(*data, names);
   add_event_array(*data, events);
-  add_fractions(*data, points.fractions);
+  add_vertex_fractions(*data, points);
   return data;
 }
 
-Fields basic_fields(const DiscontinuityResult& result) {
-  return leaf_fields(ShadowResult{result.scene, result.clip_box, {}}, false);
+ShadowResult frame_of(const DiscontinuityResult& result) {
+  return {result.scene, result.clip_box, {}};
 }
 
-Fields receiver_fields(const DiscontinuityResult& result, SideResult side) {
-  Fields fields = basic_fields(result);
-  fields.push_back({"light", std::vector<std::string>{side.front().light}});
-  fields.push_back({"receiver", std::vector<std::string>{side.front().side}});
-  const auto areas = areas_of(side);
-  for (std::size_t k = 0; k < areas.size(); ++k) {
-    const std::string region(name(static_cast<ReceiverRegion>(k)));
-    fields.push_back({region + "_area", std::vector<double>{areas[k].nearest}});
-    if (areas[k].exact) fields.push_back({region + "_area_exact", std::vector<std::string>{*areas[k].exact}});
-  }
-  return fields;
-}
-
-void append_receiver(std::vector<Block>& blocks, const DiscontinuityResult& result, SideResult side) {
-  const SidePoints points = side_points(side);
-  const Fields fields = receiver_fields(result, side);
-  const std::string& light = side.front().light;
-  const std::string& receiver = side.front().side;
-  append_block(blocks, {{"receivers", light, receiver, "faces"}, "receiver_faces", fields, faces(side, points)});
+void append_edges(std::vector<Block>& blocks, const DiscontinuityResult& result, SideResult side) {
   std::vector<std::string> event_names;
-  auto lines = edges(result, side, points, event_names);
-  Fields edge_fields = fields;
-  edge_fields.push_back({"event_names", std::move(event_names)});
-  append_block(blocks, {{"receivers", light, receiver, "edges"}, "receiver_edges", edge_fields, lines});
+  auto lines = edges(result, side, side_points(side), event_names);
+  Fields fields = receiver_fields(frame_of(result), side);
+  fields.push_back({"event_names", std::move(event_names)});
+  append_block(blocks,
+               {{"receivers", side.front().light, side.front().side, "edges"}, "receiver_edges", fields, lines});
 }
 
 void append_surfaces(std::vector<Block>& blocks, const DiscontinuityResult& result, const SurfaceResult& light,
@@ -201,7 +131,7 @@ void append_surfaces(std::vector<Block>& blocks, const DiscontinuityResult& resu
   data->SetPolys(cells);
   add_cell_arrays(*data, names);
   add_event_array(*data, events);
-  Fields fields = basic_fields(result);
+  Fields fields = leaf_fields(frame_of(result), false);
   fields.push_back({"light", std::vector<std::string>{light.light}});
   if (!events.names.empty()) fields.push_back({"event_names", events.names});
   append_block(blocks,
@@ -212,8 +142,11 @@ void append_surfaces(std::vector<Block>& blocks, const DiscontinuityResult& resu
 
 std::vector<Block> discontinuity_blocks(const DiscontinuityResult& result) {
   std::vector<Block> blocks;
-  append_scene_blocks(blocks, ShadowResult{result.scene, result.clip_box, {}});
-  for (const SideResult side : sides_of(result.receivers)) append_receiver(blocks, result, side);
+  append_scene_blocks(blocks, frame_of(result));
+  for (const SideResult side : sides_of(result.receivers)) {
+    append_receiver_faces(blocks, frame_of(result), side);
+    append_edges(blocks, result, side);
+  }
   for (const SurfaceResult& light : result.surfaces) {
     for (const int order : {0, 1, 2}) append_surfaces(blocks, result, light, order);
   }
@@ -223,31 +156,6 @@ std::vector<Block> discontinuity_blocks(const DiscontinuityResult& result) {
 }  // namespace gnomon::viz
 
 namespace gnomon {
-
-std::vector<SideResult> sides_of(std::span<const ReceiverResult> receivers) {
-  std::vector<SideResult> sides;
-  for (std::size_t first = 0; first < receivers.size();) {
-    std::size_t last = first;
-    while (last < receivers.size() && receivers[last].side == receivers[first].side &&
-           receivers[last].light_id == receivers[first].light_id) {
-      ++last;
-    }
-    sides.push_back(receivers.subspan(first, last - first));
-    first = last;
-  }
-  return sides;
-}
-
-std::array<RegionArea, receiver_region_count> areas_of(SideResult side) {
-  std::array<std::vector<RegionArea>, receiver_region_count> of_pieces;
-  for (const ReceiverResult& piece : side) {
-    const auto areas = piece.mesh.areas();
-    for (std::size_t k = 0; k < areas.size(); ++k) of_pieces[k].push_back(areas[k]);
-  }
-  std::array<RegionArea, receiver_region_count> sums;
-  for (std::size_t k = 0; k < sums.size(); ++k) sums[k] = total_area(of_pieces[k]);
-  return sums;
-}
 
 std::string element_text(const DiscontinuityResult& result, const std::string& light, const std::string& receiver,
                          const EventElement& element) {

@@ -107,7 +107,10 @@ Json json(const PictureItem& item, const Point3& centre) {
                  {"cells", encoded(item.cell_names.empty() ? std::vector<std::uint32_t>{} : parts.cells)},
                  {"names", item.cell_names},
                  {"lines", encoded(parts.lines)},
-                 {"front", json(item.front, centre)}};
+                 {"front", json(item.front, centre)},
+                 {"layer", item.layer},
+                 {"light", item.light},
+                 {"corner", item.in_corner}};
   return result;
 }
 
@@ -116,22 +119,34 @@ Json json(const Legend& legend) {
   Json list = Json::array();
   for (const LegendEntry& entry : legend.entries) {
     const char* mark = marks[static_cast<std::size_t>(entry.mark)];
-    list.push_back({{"text", entry.text}, {"color", json(entry.color)}, {"mark", mark}});
+    list.push_back({{"text", entry.text},
+                    {"color", json(entry.color)},
+                    {"mark", mark},
+                    {"layer", entry.layer},
+                    {"light", entry.light}});
   }
   return list;
 }
 
-/// JSON inside a script element: "</" would end it, and "<!--" with "<script" keep it from ending, so no "<" stays one.
-std::string in_script(const std::string& json) {
+/// JSON inside a script element, where some words that begin with "<" end the script or begin a comment. Outside of its
+/// texts JSON has no "<".
+std::string in_script(const Json& data) {
   std::string text;
-  for (const char c : json) {
-    if (c == '<') {
-      text += "\\u003c";
-    } else {
-      text += c;
-    }
+  for (const char c : data.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+    c == '<' ? text += "\\u003c" : text += c;
   }
   return text;
+}
+
+Json json(const PictureLabel& label, const Point3& centre) {
+  Json places = Json::array();
+  for (const Point3& place : label.places) places.push_back(json(place - centre));
+  return {{"text", label.text},   {"places", std::move(places)},        {"layer", label.layer},
+          {"light", label.light}, {"front", json(label.front, centre)}, {"corner", label.in_corner}};
+}
+
+std::string script(const std::string& text) {
+  return "<script>" + text + "</script>\n";
 }
 
 std::string page(const std::map<std::string, std::string>& parts) {
@@ -146,42 +161,56 @@ std::string page(const std::map<std::string, std::string>& parts) {
   return text.append(rest);
 }
 
-}  // namespace
-
-std::string html_page(const PictureScene& scene, const PictureView& view, const Legend& legend,
-                      const std::vector<PictureLabel>& labels) {
+Json space_json(const PictureScene& scene, const PictureView& view, const Legend& legend,
+                const std::vector<PictureLabel>& labels) {
   // Relative to the middle of the view, floats are fine enough.
   const Point3& centre = view.focus;
+  const bool along_axis = length(cross(unit(view.position - view.focus), scene.up)) < 1e-3;
+  const Point3& axis = along_axis || view.up == scene.up ? scene.up : view.up;
   Json data = {{"size", scene.size},
                {"view",
                 {{"position", json(view.position - centre)},
                  {"focus", {0, 0, 0}},
                  {"up", json(view.up)},
+                 {"axis", json(axis)},
                  {"angle", view.angle}}},
+               {"lights", scene.light_names},
                {"legend", json(legend)},
+               {"keys", "drag or arrows: turn\nwheel, + and -: larger, smaller\nR: reset view"},
                {"labels", Json::array()},
                {"items", Json::array()}};
-  for (const PictureLabel& label : labels) {
-    data["labels"].push_back(
-        {{"at", json(label.at - centre)}, {"text", label.text}, {"front", json(label.front, centre)}});
-  }
+  for (const PictureLabel& label : labels) data["labels"].push_back(json(label, centre));
   for (const PictureItem& item : picture_items(scene)) data["items"].push_back(json(item, centre));
-  return page({{"version", GNOMON_VERSION},
-               {"title", xml_escaped(legend.title)},
-               {"scene", in_script(data.dump(-1, ' ', false, Json::error_handler_t::replace))},
-               {"three", contents("three.min.js")},
-               {"controls", contents("examples/js/controls/OrbitControls.js")},
-               {"script", std::string(page_script())}});
+  return data;
 }
 
-std::string html_page(const PlanarDrawing& drawing, const Legend& legend) {
-  const std::string title = xml_escaped(legend.title);
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"generator\" "
-         "content=\"gnomon " GNOMON_VERSION "\">\n<title>" +
-         title +
-         "</title>\n<style>body { margin: 0; } svg { display: block; width: 100vw; height: 100vh; }</style>\n"
-         "</head>\n<body>\n" +
-         svg_text(drawing, legend) + "</body>\n</html>\n";
+}  // namespace
+
+std::string html_page(const PictureScene& scene, const PictureView& view, const Legend& legend,
+                      const std::vector<PictureLabel>& labels) {
+  return page(
+      {{"version", GNOMON_VERSION},
+       {"title", xml_escaped(legend.title)},
+       {"kind", "space"},
+       {"picture", "<canvas id=\"picture\"></canvas>\n<svg id=\"leaders\"></svg>"},
+       {"scene", in_script(space_json(scene, view, legend, labels))},
+       {"libraries", script(contents("three.min.js")) + script(contents("examples/js/controls/OrbitControls.js"))},
+       {"panel", std::string(page_panel_script())},
+       {"script", std::string(page_space_script())}});
+}
+
+std::string html_page(const PlanarDrawing& drawing, const Legend& legend, const std::vector<std::string>& lights) {
+  const Json data = {{"lights", lights},
+                     {"legend", json(legend)},
+                     {"keys", "drag or arrows: move\nwheel, + and -: larger, smaller\nR: reset view"}};
+  return page({{"version", GNOMON_VERSION},
+               {"title", xml_escaped(legend.title)},
+               {"kind", "plane"},
+               {"picture", svg_in_page(drawing)},
+               {"scene", in_script(data)},
+               {"libraries", ""},
+               {"panel", std::string(page_panel_script())},
+               {"script", std::string(page_plane_script())}});
 }
 
 }  // namespace gnomon::viz

@@ -18,7 +18,8 @@ namespace gnomon::viz {
 std::string html_page(const PictureScene& scene, const PictureView& view, const Legend& legend,
                       const std::vector<PictureLabel>& labels);
 
-/// A drawing of the plane as one HTML page; lines and elements say their names under the mouse.
-std::string html_page(const PlanarDrawing& drawing, const Legend& legend);
+/// A drawing of the plane as one HTML page that moves with the mouse; lines and elements say their names under it.
+/// `lights` are those among which its reader chooses.
+std::string html_page(const PlanarDrawing& drawing, const Legend& legend, const std::vector<std::string>& lights);
 
 }  // namespace gnomon::viz

@@ -1,7 +1,5 @@
 #include "viz/manifest.h"
 
-#include <vtkCellData.h>
-
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -10,6 +8,7 @@
 
 #include "geometry/spatial/position.h"
 #include "viz/cell_arrays.h"
+#include "viz/palette.h"
 #include "viz/path_text.h"
 
 namespace gnomon::viz {
@@ -31,6 +30,18 @@ Json arrays_json() {
     json.push_back({{"name", array.name}, {"type", array.type}, {"none", array.none}, {"meaning", array.meaning}});
   }
   return json;
+}
+
+/// The colours that the scripts for ParaView use, too.
+Json palette_json() {
+  return {{"light", palette.light},           {"blocker", palette.blocker},
+          {"receiver", palette.receiver},     {"edge", palette.edge},
+          {"plane", palette.occlusion},       {"separating", palette.separating},
+          {"supporting", palette.supporting}, {"lit", palette.lit},
+          {"penumbra", palette.penumbra},     {"umbra", palette.umbra},
+          {"unlit", palette.unlit},           {"unresolved_eee", palette.unresolved_eee},
+          {"D0", palette.discontinuities[0]}, {"D1", palette.discontinuities[1]},
+          {"D2", palette.discontinuities[2]}};
 }
 
 Json volume_json(const VolumeFacts& facts, const VolumeMesh& mesh) {
@@ -87,15 +98,10 @@ Json merged_json(const std::vector<MergedResult>& merged) {
   return json;
 }
 
-/// The names of a block's cell arrays beyond those that every block has.
-std::vector<std::string> more_cell_arrays(const Block& block) {
-  vtkCellData& arrays = *block.data->GetCellData();
-  std::vector<std::string> names;
-  for (int i = 0; i < arrays.GetNumberOfArrays(); ++i) {
-    const std::string name = arrays.GetArrayName(i);
-    const auto same = [&](const CellArray& array) { return array.name == name; };
-    if (std::ranges::none_of(cell_arrays(), same)) names.push_back(name);
-  }
+/// Those beyond the arrays that the manifest describes.
+std::vector<std::string> more_cell_arrays(std::vector<std::string> names) {
+  std::erase_if(names,
+                [](const std::string& name) { return std::ranges::count(cell_arrays(), name, &CellArray::name); });
   return names;
 }
 
@@ -107,12 +113,14 @@ Json block_json(const WrittenBlock& written) {
                {"empty", block.empty()},
                {"points", block.data->GetNumberOfPoints()},
                {"cells", block.data->GetNumberOfCells()},
+               {"cell_arrays", names_of_cell_arrays(*block.data)},
                {"file", nullptr},
                {"files", written.files},
                {"field_data", fields_json(block.fields)}};
   if (!written.files.empty()) json["file"] = written.files.front();
   json["generation"] = written.generation;
-  if (const auto names = more_cell_arrays(block); !names.empty()) json["more_cell_arrays"] = names;
+  const auto more = more_cell_arrays(names_of_cell_arrays(*block.data));
+  if (!more.empty()) json["more_cell_arrays"] = more;
   return json;
 }
 
@@ -183,7 +191,9 @@ std::string manifest_text(const ShadowResult& result, const ManifestEntries& ent
                {"dimension", result.scene->dimension},
                {"roots", entries.roots}};
   if (entries.generations.size() > 1) json["generations"] = entries.generations;
+  if (result.scene->dimension == 3) json["up"] = result.scene->up == UpAxis::y ? "y" : "z";
   json["field_data"] = fields_json(result_fields(result));
+  json["palette"] = palette_json();
   json["cell_arrays"] = arrays_json();
   json["pairs"] = Json::array();
   for (const PairResult& pair : result.pairs) json["pairs"].push_back(pair_json(pair));
@@ -215,6 +225,7 @@ ListedResult read_manifest(const std::filesystem::path& directory) {
     result.scene = json.at("field_data").at("scene").at(0);
     result.dimension = json.at("dimension");
     if (result.dimension != 2 && result.dimension != 3) throw ResultError(dimension_problem(file, result.dimension));
+    result.up = json.value("up", "z") == "y" ? UpAxis::y : UpAxis::z;
     result.clip_box = box_of(json.at("field_data").at("clip_box"), file);
     for (const Json& pair : json.at("pairs")) result.complete = result.complete && pair.at("supported").get<bool>();
     for (const Json& block : json.at("blocks")) result.blocks.push_back(listed_block(block));

@@ -51,6 +51,7 @@ struct ListedBlock {
 struct ListedResult {
   std::string scene;
   int dimension = 3;
+  UpAxis up = UpAxis::z;
   Box3 clip_box;
   bool complete = true;  ///< every pair is supported
   std::vector<ListedBlock> blocks;

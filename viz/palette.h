@@ -12,7 +12,7 @@ using Color = std::array<double, 3>;
 struct Palette {
   Color light = {0.94, 0.76, 0.05};
   Color blocker = {0.84, 0.37, 0.00};
-  Color receiver = {0.95, 0.93, 0.87};
+  Color receiver = {0.82, 0.82, 0.83};
   Color lit = {1.00, 0.97, 0.86};
   Color penumbra = {0.47, 0.71, 0.89};
   Color umbra = {0.07, 0.22, 0.42};

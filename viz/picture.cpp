@@ -8,6 +8,7 @@
 #include "viz/html_page.h"
 #include "viz/manifest.h"
 #include "viz/picture_png.h"
+#include "viz/picture_selection.h"
 #include "viz/staged_folder.h"
 #include "viz/surface_files.h"
 #include "viz/svg.h"
@@ -37,14 +38,16 @@ viz::PlanarDrawing planar_drawing(const viz::PictureSource& source, const Pictur
 }
 
 std::string html_text(const viz::PictureSource& source, const PictureOptions& options) {
-  if (source.dimension == 2) return viz::html_page(planar_drawing(source, options), planar_legend(source, options));
+  if (source.dimension == 2) {
+    return viz::html_page(planar_drawing(source, options), planar_legend(source, options), source.lights);
+  }
   const viz::PictureScene scene = viz::picture_scene(source);
   const viz::PictureView view = viz::picture_view(scene, options.camera, drawing_size(options));
   viz::Legend legend{source.title, {}};
   if (options.legend == Shown::yes) legend.entries = viz::legend_entries(scene);
-  const bool labelled = options.labels == Shown::yes;
-  return viz::html_page(scene, view, legend,
-                        labelled ? viz::picture_labels(scene, view.up) : std::vector<viz::PictureLabel>{});
+  std::vector<viz::PictureLabel> labels;
+  if (options.labels == Shown::yes) labels = viz::picture_labels(scene, view.position);
+  return viz::html_page(scene, view, legend, labels);
 }
 
 std::string gltf_text(const viz::PictureSource& source) {
@@ -53,8 +56,11 @@ std::string gltf_text(const viz::PictureSource& source) {
   return viz::gltf_text(blocks, source.clip_box);
 }
 
-void draw(const viz::PictureSource& source, const fs::path& file, const PictureOptions& options) {
+void draw(viz::PictureSource source, const fs::path& file, const PictureOptions& options) {
   const PictureFormat format = *picture_format(file);
+  using enum viz::LightsShown;
+  source = selected(std::move(source), options.selection, format == PictureFormat::html ? all_in_turn : first);
+  if (options.up) source.up = *options.up;
   if (format == PictureFormat::svg && source.dimension != 2)
     throw PreconditionError("picture: SVG of a scene in space");
   viz::StagedFolder folder(file.parent_path());
@@ -110,6 +116,10 @@ void render_scene(const ShadowResult& result, const fs::path& file, const Pictur
 void render_result(const fs::path& directory, const fs::path& file, const PictureOptions& options) {
   check(file, options);
   draw(viz::picture_source(directory), file, options);
+}
+
+ResultNames result_names(const fs::path& directory) {
+  return viz::names_in(viz::picture_source(directory));
 }
 
 int result_dimension(const fs::path& directory) {

@@ -3,8 +3,10 @@
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "geometry/point.h"
 #include "viz/result_error.h"
@@ -29,8 +31,8 @@ enum class PictureFormat {
 /// The format that the file's ending asks for, or nothing.
 std::optional<PictureFormat> picture_format(const std::filesystem::path& file);
 
-/// From where a scene in space is seen; it is framed so that everything is in the picture. "Up" is the axis that leads
-/// from the blockers to the lights, z where that is close. Where z is up, the front is seen along y, the left along x.
+/// From where a scene in space is seen; it is framed so that everything is in the picture. Where z is up, the front is
+/// seen along y, the left along x; where y is up, the front is seen against z.
 enum class CameraPreset { three_quarter, front, back, left, right, top, bottom };
 
 /// The preset of that name ("three-quarter", "front", ...), or nothing.
@@ -40,11 +42,20 @@ std::optional<CameraPreset> camera_preset(std::string_view name);
 struct CameraPlace {
   Point3 position;
   std::optional<Point3> focus = {};  ///< by default the middle of what is seen
-  std::optional<Point3> up = {};     ///< by default as for the presets
+  std::optional<Point3> up = {};     ///< by default the axis that is up
 };
 
 /// Something that may be left out of a picture.
 enum class Shown { yes, no };
+
+/// What of a result is drawn; by default the first light that has results and what belongs to it. A page lets its
+/// reader choose among all lights.
+struct PictureSelection {
+  std::string light = {};          ///< by name; empty for the default
+  std::string receiver = {};       ///< by name; empty for all
+  Shown part_volumes = Shown::no;  ///< volumes of parts of blockers, which hide each other and whose umbrae are not
+                                   ///< the umbra of the whole
+};
 
 struct PictureOptions {
   int width = 1280;                                                              ///< pixels
@@ -52,20 +63,22 @@ struct PictureOptions {
   std::variant<CameraPreset, CameraPlace> camera = CameraPreset::three_quarter;  ///< for scenes in space
   Shown legend = Shown::yes;
   Shown labels = Shown::yes;  ///< names of elements, as long as there are few
+  PictureSelection selection = {};
+  std::optional<UpAxis> up = {};  ///< by default as the scene says
 };
 
-/// Draws lights, blockers, receivers and volumes, umbra inside penumbra, with names and a legend, and writes a file of
+/// Draws a light, blockers, receivers and volumes, umbra inside penumbra, with names and a legend, and writes a file of
 /// the format that its ending says.
 ///
-/// The shadows that the volumes cast on each receiver are painted on it; where the result holds divided receivers or
-/// discontinuities, their faces are painted instead, and surfaces and lines shown by their order. A receiver that has
-/// the whole scene on one side ends the volumes. Walls that hide the scene from the camera are drawn as outlines. A
-/// picture is no proof: these cuts are made in doubles.
+/// Receivers have the colours of the exact regions that the result holds, those of all blockers together, and the
+/// colour of none where it holds none. Surfaces and lines of discontinuities are shown by their order. A receiver that
+/// has the whole scene on one side ends the volumes; a picture is no proof of that, for it is done in doubles. Walls
+/// that hide the scene from the camera are drawn as outlines. A light without a place is an arrow in a corner.
 ///
 /// A scene of the plane becomes a drawing: the clip box with its regions filled, the extremal lines, light and blocker.
 ///
 /// Requires: result.scene is not null; width and height at least 64; the ending of a format; for SVG a scene of the
-///           plane; a camera that is not at its focus.
+///           plane; a camera that is not at its focus; names that there are.
 /// Throws:   NoDisplayError; std::runtime_error naming the file that could not be written, or what is to be installed;
 ///           PreconditionError.
 /// While a PNG is drawn without a display, the environment's DISPLAY is another one.
@@ -79,5 +92,14 @@ void render_result(const std::filesystem::path& directory, const std::filesystem
 
 /// The dimension of the scene of such a folder, 2 or 3. Throws: ResultError naming the file.
 int result_dimension(const std::filesystem::path& directory);
+
+/// Names that may be asked for.
+struct ResultNames {
+  std::vector<std::string> lights;  ///< those that have results, or all if none has
+  std::vector<std::string> receivers;
+};
+
+/// The names in such a folder. Throws: std::runtime_error naming the file.
+ResultNames result_names(const std::filesystem::path& directory);
 
 }  // namespace gnomon

@@ -1,29 +1,27 @@
 #include "viz/picture_actors.h"
 
 #include <vtkActor.h>
-#include <vtkCoordinate.h>
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
-#include <vtkTextActor.h>
-#include <vtkTextProperty.h>
 
+#include <algorithm>
 #include <cmath>
 
-#include "viz/palette.h"
+#include "viz/haloed_words.h"
+#include "viz/vector.h"
 
 namespace gnomon::viz {
 namespace {
 
-constexpr double label_size = 12;
 constexpr double opacity_from_behind = 0.35;
 
-void add_actor(vtkRenderer& renderer, const PictureItem& item, double opacity, double pixel) {
+vtkSmartPointer<vtkActor> actor_of(const PictureItem& item, double opacity, double pixel) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(item.data);
   mapper->ScalarVisibilityOff();
-  vtkNew<vtkActor> actor;
+  auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   vtkProperty* property = actor->GetProperty();
   property->SetColor(item.look.color[0], item.look.color[1], item.look.color[2]);
@@ -33,36 +31,58 @@ void add_actor(vtkRenderer& renderer, const PictureItem& item, double opacity, d
   property->SetSpecular(0);
   property->SetInterpolationToFlat();
   property->SetLineWidth(static_cast<float>(item.look.line_width * pixel));
-  renderer.AddActor(actor);
+  return actor;
+}
+
+/// How far the nearest thing with a place is, along the view.
+double nearest_depth(std::span<const PictureItem> items, const PictureView& view) {
+  const Point3 ahead = unit(view.focus - view.position);
+  double nearest = length(view.focus - view.position);
+  for (const PictureItem& item : items) {
+    if (item.in_corner) continue;
+    for (const Point3& p : points_of(*item.data)) {
+      const double depth = dot(p - view.position, ahead);
+      if (depth > 0) nearest = std::min(nearest, depth);
+    }
+  }
+  return nearest;
+}
+
+/// Moves an arrow of length 1 to the upper right corner, before everything else, an eighth as long as the picture is
+/// high.
+void put_in_corner(vtkActor& actor, double depth, const PictureView& view, const DrawingSize& size) {
+  const Point3 ahead = unit(view.focus - view.position);
+  const Point3 right = unit(cross(ahead, view.up));
+  const Point3 up = cross(right, ahead);
+  const double half = depth * std::tan(view.angle / 2 * std::acos(-1.0) / 180);
+  const Point3 place =
+      view.position + depth * ahead + half * (size.width / size.height - 0.2) * right + 0.8 * half * up;
+  actor.SetScale(0.24 * half);
+  actor.SetPosition(place.x, place.y, place.z);
 }
 
 }  // namespace
 
-void add_actors(vtkRenderer& renderer, std::span<const PictureItem> items, const PictureView& view, double pixel) {
+void add_actors(vtkRenderer& renderer, std::span<const PictureItem> items, const PictureView& view,
+                const DrawingSize& size, double pixel) {
   for (const PictureItem& item : items) {
     const bool behind = item.front && item.front->distance(view.position) <= 0;
     const bool lines = item.data->GetNumberOfPolys() == 0;
     if (behind && !lines) continue;
-    add_actor(renderer, item, behind ? opacity_from_behind : item.look.opacity, pixel);
+    const auto actor = actor_of(item, behind ? opacity_from_behind : item.look.opacity, pixel);
+    if (item.in_corner) put_in_corner(*actor, 0.9 * nearest_depth(items, view), view, size);
+    renderer.AddActor(actor);
   }
 }
 
-// In front of everything: what stands between camera and element hides no name.
-void add_labels(vtkRenderer& renderer, std::span<const PictureLabel> labels, const PictureView& view, double pixel) {
-  for (const PictureLabel& label : labels) {
-    if (label.front && label.front->distance(view.position) <= 0) continue;
-    vtkNew<vtkTextActor> actor;
-    actor->SetInput(label.text.c_str());
-    actor->GetPositionCoordinate()->SetCoordinateSystemToWorld();
-    actor->GetPositionCoordinate()->SetValue(label.at.x, label.at.y, label.at.z);
-    vtkTextProperty* look = actor->GetTextProperty();
-    look->SetFontSize(static_cast<int>(std::lround(label_size * pixel)));
-    look->SetColor(palette.edge[0], palette.edge[1], palette.edge[2]);
-    look->SetBackgroundColor(1, 1, 1);
-    look->SetBackgroundOpacity(0.75);
-    look->SetJustificationToCentered();
-    look->SetVerticalJustificationToCentered();
-    renderer.AddActor2D(actor);
+void add_labels(vtkRenderer& renderer, std::span<const PlacedLabel> labels, const DrawingSize& size, double pixel) {
+  for (const PlacedLabel& label : labels) {
+    const double x = pixel * label.box.x;
+    const double y = pixel * (size.height - label.box.y);
+    if (label.is_led) {
+      add_leader(renderer, pixel * label.from_x, pixel * (size.height - label.from_y), x, y, pixel);
+    }
+    add_words(renderer, {label.text, x, y, label_letter * pixel});
   }
 }
 

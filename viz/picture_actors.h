@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "viz/label_layout.h"
 #include "viz/picture_camera.h"
 #include "viz/picture_items.h"
 
@@ -9,10 +10,14 @@ class vtkRenderer;
 
 namespace gnomon::viz {
 
-/// Adds the items to a renderer. Lengths on screen grow with `pixel`, the pixels per pixel of the finished picture.
-void add_actors(vtkRenderer& renderer, std::span<const PictureItem> items, const PictureView& view, double pixel);
+/// The height of a label's letters, in pixels of the finished picture.
+inline constexpr double label_letter = 12;
 
-/// Adds words of one size, whatever their distance; those of walls that are seen from behind are left out.
-void add_labels(vtkRenderer& renderer, std::span<const PictureLabel> labels, const PictureView& view, double pixel);
+/// Adds the items to a renderer. Lengths on screen grow with `pixel`, the pixels per pixel of the finished picture.
+void add_actors(vtkRenderer& renderer, std::span<const PictureItem> items, const PictureView& view,
+                const DrawingSize& size, double pixel);
+
+/// Adds words in front of everything.
+void add_labels(vtkRenderer& renderer, std::span<const PlacedLabel> labels, const DrawingSize& size, double pixel);
 
 }  // namespace gnomon::viz

@@ -7,39 +7,17 @@
 #include <numbers>
 
 #include "geometry/errors.h"
-#include "viz/picture_items.h"
 #include "viz/vector.h"
 
 namespace gnomon::viz {
 namespace {
 
 constexpr double elevation = 24 * std::numbers::pi / 180;
-constexpr double label_half_height = 10;  ///< in pixels
-
-Point3 middle_of(const std::vector<PictureBlock>& blocks) {
-  Point3 sum;
-  double count = 0;
-  for (const PictureBlock& block : blocks) {
-    for (const Point3& p : points_of(*block.data)) {
-      sum = sum + p;
-      ++count;
-    }
-  }
-  return count > 0 ? 1 / count * sum : sum;
-}
-
-Point3 up_of(const PictureScene& scene) {
-  const Point3 to_lights = unit(middle_of(scene.lights) - middle_of(scene.blockers));
-  const double x = std::abs(to_lights.x);
-  const double y = std::abs(to_lights.y);
-  const double z = std::abs(to_lights.z);
-  if (z >= 0.5 || z >= std::max(x, y)) return {0, 0, to_lights.z < -0.5 ? -1.0 : 1.0};
-  return y >= x ? Point3{0, std::copysign(1.0, to_lights.y), 0} : Point3{std::copysign(1.0, to_lights.x), 0, 0};
-}
+constexpr double label_half_height = 10;  ///< in pixels: a label may reach that far beyond its element
 
 /// Toward the camera, at an angle around the up direction.
 Point3 direction(const Point3& up, double azimuth) {
-  const Point3 x = up.x != 0 ? Point3{0, 1, 0} : Point3{1, 0, 0};
+  const Point3 x{1, 0, 0};
   const Point3 level = std::cos(azimuth) * x + std::sin(azimuth) * cross(up, x);
   return std::cos(elevation) * level + std::sin(elevation) * up;
 }
@@ -88,8 +66,7 @@ double distance(const std::vector<Seen>& points, double half_width, double half_
 PictureView framed(const PictureScene& scene, const Point3& toward, const Point3& up, const DrawingSize& size) {
   const Point3 right = unit(cross(up, toward));
   const Point3 upward = cross(toward, right);
-  std::vector<Point3> points = visible_points(scene);
-  for (const PictureLabel& label : picture_labels(scene, up)) points.push_back(label.at);
+  const std::vector<Point3> points = visible_points(scene);
   const double margin = 1 / (1 - 2 * std::max(0.03, label_half_height / size.height));
   PictureView view{{}, points.empty() ? Point3{} : points.front(), up};
   const double half_height = std::tan(view.angle / 2 * std::numbers::pi / 180);
@@ -113,14 +90,13 @@ PictureView framed(const PictureScene& scene, const Point3& toward, const Point3
   return view;
 }
 
-/// Where the front is: toward a viewer who sees the first level axis run to the right.
+/// Where the front is: toward a viewer who sees x run to the right.
 Point3 front_of(const Point3& up) {
-  const Point3 right = up.x != 0 ? Point3{0, 1, 0} : Point3{1, 0, 0};
-  return cross(right, up);
+  return cross({1, 0, 0}, up);
 }
 
 PictureView preset_view(const PictureScene& scene, CameraPreset preset, const DrawingSize& size) {
-  const Point3 up = up_of(scene);
+  const Point3& up = scene.up;
   const Point3 front = front_of(up);
   const Point3 left = cross(front, up);
   switch (preset) {
@@ -154,7 +130,7 @@ PictureView placed_view(const PictureScene& scene, const CameraPlace& place) {
   const Point3 focus = place.focus ? *place.focus : middle_of_box(visible_points(scene));
   const Point3 toward = place.position - focus;
   if (length(toward) == 0) throw PreconditionError("picture: the camera is where it looks");
-  Point3 up = place.up.value_or(up_of(scene));
+  Point3 up = place.up.value_or(scene.up);
   const auto along_view = [&] { return length(cross(unit(up), unit(toward))) < 1e-6; };
   if (along_view() && !place.up) up = -1 * front_of(up);
   if (along_view()) throw PreconditionError("picture: the camera's up direction is along its view");

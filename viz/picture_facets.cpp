@@ -47,7 +47,8 @@ std::vector<OrderedFacets> ordered(vtkPolyData& data, Cells sort) {
 }
 
 std::string index_text(const PictureBlock& block, const char* array, vtkIdType cell) {
-  return std::to_string(static_cast<int>(block.data->GetCellData()->GetArray(array)->GetComponent(cell, 0)));
+  vtkDataArray* values = block.data->GetCellData()->GetArray(array);
+  return values == nullptr ? "?" : std::to_string(static_cast<int>(values->GetComponent(cell, 0)));
 }
 
 }  // namespace
@@ -61,7 +62,7 @@ std::vector<RegionFacets> region_facets(vtkPolyData& surface) {
   std::vector<RegionFacets> list;
   for (std::size_t i = 0; i < regions.size(); ++i) {
     auto part = cells_with(surface, Cells::faces, "region", static_cast<int>(i));
-    if (part->GetNumberOfCells() > 0) list.push_back({regions[i].first, regions[i].second, part});
+    if (part->GetNumberOfCells() > 0) list.push_back({static_cast<int>(i), regions[i].first, regions[i].second, part});
   }
   return list;
 }

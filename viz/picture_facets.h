@@ -10,6 +10,7 @@ namespace gnomon::viz {
 
 /// The faces of a surface that lie in one region.
 struct RegionFacets {
+  int region;  ///< its number in the array
   std::string name;
   Color color;
   vtkSmartPointer<vtkPolyData> data;

@@ -1,5 +1,6 @@
 #include "viz/picture_items.h"
 
+#include <vtkArrowSource.h>
 #include <vtkFeatureEdges.h>
 #include <vtkNew.h>
 #include <vtkPolyDataAlgorithm.h>
@@ -7,6 +8,7 @@
 #include <vtkTubeFilter.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "viz/path_text.h"
 #include "viz/picture_facets.h"
@@ -18,9 +20,7 @@ namespace {
 
 using Items = std::vector<PictureItem>;
 
-constexpr std::size_t most_labels = 8;
-
-enum class Edges { all, creases };
+enum class Edges { all, creases, borders };
 
 vtkSmartPointer<vtkPolyData> output(vtkPolyDataAlgorithm& filter) {
   filter.Update();
@@ -34,7 +34,9 @@ vtkSmartPointer<vtkPolyData> edges_of(vtkPolyData* data, Edges which) {
   vtkNew<vtkFeatureEdges> edges;
   edges->SetInputData(data);
   edges->SetFeatureAngle(0.5);
-  edges->SetBoundaryEdges(which == Edges::all);
+  edges->SetBoundaryEdges(which != Edges::creases);
+  edges->SetFeatureEdges(which != Edges::borders);
+  edges->SetNonManifoldEdges(which != Edges::borders);
   edges->ColoringOff();
   return output(*edges);
 }
@@ -69,50 +71,45 @@ PicturePlane turned(const PicturePlane& plane) {
   return {plane.origin, -1 * plane.normal};
 }
 
-/// The sides from which what lies on a receiver is seen.
-std::vector<PicturePlane> fronts(const PictureReceiver& receiver) {
-  if (receiver.ends_scene) return {receiver.plane};
-  return {receiver.plane, turned(receiver.plane)};
-}
-
-Polygon facing(Polygon polygon, const PictureReceiver& receiver, const PicturePlane& front) {
-  if (dot(front.normal, receiver.plane.normal) < 0) std::ranges::reverse(polygon);
+Polygon reversed(Polygon polygon) {
+  std::ranges::reverse(polygon);
   return polygon;
 }
 
-void add_receivers(Items& items, const PictureScene& scene) {
-  for (const PictureReceiver& receiver : scene.receivers) {
-    for (const PicturePlane& front : fronts(receiver)) {
-      const Polygon polygon = facing(receiver.polygon, receiver, front);
-      items.push_back({receiver.name, polygon_data(polygon, {}), {palette.receiver, 1, 0.8}, front});
-    }
-    PictureItem outline{"", outline_data(receiver.polygon, {}), {palette.edge, 1, 1, 1}};
-    if (receiver.ends_scene) outline.front = receiver.plane;
-    items.push_back(std::move(outline));
-  }
+/// Lights of which each shows a receiver in its own way; one without a name where there are none.
+std::vector<std::string> lights_of(const PictureScene& scene) {
+  return scene.light_names.empty() ? std::vector<std::string>{""} : scene.light_names;
 }
 
-void add_shadows(Items& items, const PictureScene& scene) {
-  for (const PaintedShadow& shadow : scene.shadows) {
-    const PictureReceiver& receiver = scene.receivers[shadow.receiver];
-    const Color& color = shadow.umbra ? palette.umbra : palette.penumbra;
-    const std::string name = (shadow.umbra ? "umbra on " : "penumbra on ") + receiver.name;
-    for (const PicturePlane& front : fronts(receiver)) {
-      const double layer = scene.size * (shadow.umbra ? 3e-4 : 1e-4);
-      const Polygon polygon = facing(shadow.polygon, receiver, front);
-      items.push_back({name, polygon_data(polygon, layer * front.normal), {color, 1, 0.9}, front});
-      const Point3 lift = (layer + 1e-4 * scene.size) * front.normal;
-      items.push_back({"", outline_data(polygon, lift), {palette.edge, 1, 1, 1}, front});
-    }
+/// A side of a receiver that bears no regions.
+void add_plain_side(Items& items, const PictureScene& scene, const PictureReceiver& receiver, const std::string& light,
+                    const PicturePlane& front) {
+  const bool back = dot(front.normal, receiver.plane.normal) < 0;
+  const Polygon polygon = back ? reversed(receiver.polygon) : receiver.polygon;
+  items.push_back({back ? "back of " + receiver.name : receiver.name,
+                   polygon_data(polygon, {}),
+                   {palette.receiver, 1, 0.8},
+                   "receiver",
+                   light_mark(scene, light),
+                   front});
+}
+
+void add_receiver(Items& items, const PictureScene& scene, const PictureReceiver& receiver) {
+  if (receiver.turned_away && receiver.has_twin) return;
+  PictureItem outline{"", outline_data(receiver.polygon, {}), {palette.edge, 1, 1, 1}, "outline"};
+  if (receiver.ends_scene) outline.front = receiver.plane;
+  items.push_back(std::move(outline));
+  const bool has_back = !receiver.ends_scene && !receiver.has_twin;
+  for (const std::string& light : lights_of(scene)) {
+    if (!is_divided(scene, receiver, light)) add_plain_side(items, scene, receiver, light, receiver.plane);
+    if (has_back) add_plain_side(items, scene, receiver, light, turned(receiver.plane));
   }
 }
 
 /// The receiver that a block under `receivers/` divides; nothing if the scene does not draw it.
 const PictureReceiver* receiver_of(const PictureScene& scene, const PictureBlock& block) {
-  const auto found = std::ranges::find_if(scene.receivers, [&](const PictureReceiver& receiver) {
-    return std::ranges::count(block.path, receiver.name) > 0;
-  });
-  return found == scene.receivers.end() ? nullptr : &*found;
+  const auto found = std::ranges::find(scene.receivers, block.path.at(2), &PictureReceiver::name);
+  return found == scene.receivers.end() || (found->turned_away && found->has_twin) ? nullptr : &*found;
 }
 
 vtkSmartPointer<vtkPolyData> lifted(vtkPolyData& data, const Point3& shift) {
@@ -124,30 +121,41 @@ vtkSmartPointer<vtkPolyData> lifted(vtkPolyData& data, const Point3& shift) {
   return moved;
 }
 
+/// Regions with their borders, in the colours of the legend whatever the light of the picture.
+void add_regions(Items& items, const PictureScene& scene, const PictureBlock& block, const PictureReceiver& receiver) {
+  const std::string light = light_mark(scene, block.path.at(1));
+  const auto data = lifted(*block.data, 1e-4 * scene.size * receiver.plane.normal);
+  const auto above = lifted(*block.data, 2e-4 * scene.size * receiver.plane.normal);
+  for (const RegionFacets& part : region_facets(*data)) {
+    const std::string name = part.name + " on " + receiver.name;
+    items.push_back({name, part.data, {part.color, 1, 1}, part.name, light, receiver.plane});
+  }
+  for (const RegionFacets& part : region_facets(*above)) {
+    items.push_back(
+        {"", edges_of(part.data, Edges::borders), {palette.edge, 1, 1, 1}, part.name, light, receiver.plane});
+  }
+}
+
 void add_divided_receiver(Items& items, const PictureScene& scene, const PictureBlock& block) {
   const PictureReceiver* receiver = receiver_of(scene, block);
-  const std::vector<PicturePlane> sides = receiver == nullptr ? std::vector<PicturePlane>{{}} : fronts(*receiver);
-  for (const PicturePlane& side : sides) {
-    const auto data = lifted(*block.data, 1e-4 * scene.size * side.normal);
-    const auto front = receiver == nullptr ? std::nullopt : std::optional(side);
-    for (const RegionFacets& part : region_facets(*data)) {
-      items.push_back({joined(block.path) + ": " + part.name, part.data, {part.color, 1, 0.9}, front});
-    }
-    const auto above = lifted(*block.data, 2e-4 * scene.size * side.normal);
-    for (const OrderedFacets& part : ordered_lines(*above)) {
-      items.push_back({part.name, part.data, {part.color, 1, 1, 2}, front});
-    }
+  if (receiver == nullptr) return;
+  add_regions(items, scene, block, *receiver);
+  const auto above = lifted(*block.data, 3e-4 * scene.size * receiver->plane.normal);
+  for (const OrderedFacets& part : ordered_lines(*above)) {
+    items.push_back(
+        {part.name, part.data, {part.color, 1, 1, 2}, part.name, light_mark(scene, block.path.at(1)), receiver->plane});
   }
 }
 
 void add_discontinuities(Items& items, const PictureScene& scene) {
   for (const PictureBlock& block : scene.discontinuities) {
+    const std::string light = light_mark(scene, block.path.at(1));
     for (const OrderedFacets& part : ordered_surfaces(*block.data)) {
-      items.push_back({joined(block.path) + ": " + part.name, part.data, {part.color, 0.4, 0.6}});
-      items.push_back({"", edges_of(part.data, Edges::all), {part.color, 0.9, 1, 1.5}});
+      items.push_back({joined(block.path) + ": " + part.name, part.data, {part.color, 0.4, 0.6}, part.name, light});
+      items.push_back({"", edges_of(part.data, Edges::all), {part.color, 0.9, 1, 1.5}, part.name, light});
     }
     for (const OrderedFacets& part : ordered_lines(*block.data)) {
-      items.push_back({part.name, part.data, {part.color, 1, 1, 2}});
+      items.push_back({part.name, part.data, {part.color, 1, 1, 2}, part.name, light});
     }
   }
 }
@@ -158,12 +166,15 @@ std::vector<std::string> plane_names(const PictureBlock& volume) {
   return names;
 }
 
-// The borders of volumes are drawn already: they are edges of blockers and of painted shadows.
-void add_volumes(Items& items, const std::vector<PictureBlock>& volumes, const Color& color, double opacity) {
+// The borders of volumes are drawn already: they are edges of blockers and of regions on receivers.
+void add_volumes(Items& items, const PictureScene& scene, const std::vector<PictureBlock>& volumes, const Color& color,
+                 double opacity) {
   for (const PictureBlock& block : volumes) {
+    const std::string light = light_mark(scene, block.path.at(1));
+    const std::string layer = block.path.back() + " volume";
     const std::string name = block.path.back() + " of " + block.path.at(2) + ", " + block.path.at(1);
-    items.push_back({name, block.data, {color, opacity, 0.6}, {}, plane_names(block)});
-    items.push_back({"", edges_of(block.data, Edges::creases), {color, 0.9, 1, 1.5}});
+    items.push_back({name, block.data, {color, opacity, 0.6}, layer, light, {}, plane_names(block)});
+    items.push_back({"", edges_of(block.data, Edges::creases), {color, 0.9, 1, 1.5}, layer, light});
   }
 }
 
@@ -185,67 +196,73 @@ vtkSmartPointer<vtkPolyData> ball(const Point3& centre, double radius) {
   return output(*sphere);
 }
 
-void add_light(Items& items, const PictureBlock& light, double size) {
+void add_light(Items& items, const PictureScene& scene, const PictureBlock& light) {
   const std::string& name = light.path.back();
+  const std::string mark = light_mark(scene, name);
   const Look look{palette.light, 1, 0.9};
   if (light.data->GetNumberOfPolys() > 0) {
-    items.push_back({name, light.data, look});
-    items.push_back({"", edges_of(light.data, Edges::all), {palette.edge, 1, 1, 1.5}});
+    items.push_back({name, light.data, look, "light", mark});
+    items.push_back({"", edges_of(light.data, Edges::all), {palette.edge, 1, 1, 1.5}, "light", mark});
   } else if (light.data->GetNumberOfLines() > 0) {
-    items.push_back({name, rod(light.data, 0.006 * size), look});
+    items.push_back({name, rod(light.data, 0.006 * scene.size), look, "light", mark});
   } else {
-    items.push_back({name, ball(points_of(*light.data).front(), 0.012 * size), look});
+    items.push_back({name, ball(points_of(*light.data).front(), 0.012 * scene.size), look, "light", mark});
   }
 }
 
-void add_labels(std::vector<PictureLabel>& labels, const std::vector<PictureBlock>& blocks, const Point3& lift) {
-  if (blocks.size() > most_labels) return;
-  for (const PictureBlock& block : blocks) {
-    const std::vector<Point3> points = points_of(*block.data);
-    Point3 middle;
-    double top = dot(points.front(), lift);
-    for (const Point3& p : points) {
-      middle = middle + 1 / static_cast<double>(points.size()) * p;
-      top = std::max(top, dot(p, lift));
-    }
-    const double climb = (top - dot(middle, lift)) / std::max(dot(lift, lift), 1e-300);
-    labels.push_back({middle + (climb + 1) * lift, block.path.back()});
+/// An arrow of length 1 along x, about the origin.
+vtkSmartPointer<vtkPolyData> arrow_along(const Point3& direction) {
+  vtkNew<vtkArrowSource> arrow;
+  arrow->SetTipResolution(24);
+  arrow->SetShaftResolution(24);
+  arrow->SetTipRadius(0.16);
+  arrow->SetTipLength(0.4);
+  arrow->SetShaftRadius(0.05);
+  arrow->Update();
+  const Point3 up = unit(cross(direction, std::abs(direction.z) < 0.9 ? Point3{0, 0, 1} : Point3{1, 0, 0}));
+  const Point3 aside = cross(direction, up);
+  std::vector<Point3> points;
+  for (const Point3& p : points_of(*arrow->GetOutput())) {
+    points.push_back((p.x - 0.5) * direction + p.y * up + p.z * aside);
   }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(vtk_points(points));
+  data->SetPolys(arrow->GetOutput()->GetPolys());
+  return data;
+}
+
+void add_sun(Items& items, const PictureScene& scene, const PictureSun& sun) {
+  PictureItem item{sun.name, arrow_along(sun.direction), {palette.light, 1, 0.7}, "light", light_mark(scene, sun.name)};
+  item.in_corner = true;
+  items.push_back(std::move(item));
 }
 
 }  // namespace
 
-std::vector<PictureItem> picture_items(const PictureScene& scene) {
-  Items items;
-  add_receivers(items, scene);
-  add_shadows(items, scene);
-  for (const PictureBlock& block : scene.divided_receivers) add_divided_receiver(items, scene, block);
-  for (const PictureBlock& light : scene.lights) add_light(items, light, scene.size);
-  for (const PictureBlock& blocker : scene.blockers) {
-    items.push_back({blocker.path.back(), blocker.data, {palette.blocker, 1, 0.6}});
-    items.push_back({"", edges_of(blocker.data, Edges::all), {palette.edge, 1, 1, 1.5}});
-  }
-  add_discontinuities(items, scene);
-  add_volumes(items, scene.umbras, palette.umbra, 0.5);
-  add_volumes(items, scene.penumbras, palette.penumbra, 0.33);
-  return items;
+std::string light_mark(const PictureScene& scene, const std::string& light) {
+  return scene.light_names.size() > 1 ? light : std::string{};
 }
 
-std::vector<PictureLabel> picture_labels(const PictureScene& scene, const Point3& up) {
-  std::vector<PictureLabel> labels;
-  const Point3 lift = 0.02 * scene.size * up;
-  add_labels(labels, scene.lights, lift);
-  add_labels(labels, scene.blockers, lift);
-  if (scene.receivers.size() > most_labels) return labels;
-  for (const PictureReceiver& receiver : scene.receivers) {
-    // In a corner, where no shadow is likely to be.
-    const Point3& corner = receiver.polygon.front();
-    const Point3& opposite = receiver.polygon[receiver.polygon.size() / 2];
-    PictureLabel label{corner + 0.08 * (opposite - corner), receiver.name};
-    if (receiver.ends_scene) label.front = receiver.plane;
-    labels.push_back(std::move(label));
+bool is_divided(const PictureScene& scene, const PictureReceiver& receiver, const std::string& light) {
+  return std::ranges::any_of(scene.divided_receivers, [&](const PictureBlock& block) {
+    return block.path.at(1) == light && block.path.at(2) == receiver.name && block.data->GetNumberOfPolys() > 0;
+  });
+}
+
+std::vector<PictureItem> picture_items(const PictureScene& scene) {
+  Items items;
+  for (const PictureReceiver& receiver : scene.receivers) add_receiver(items, scene, receiver);
+  for (const PictureBlock& block : scene.divided_receivers) add_divided_receiver(items, scene, block);
+  for (const PictureBlock& light : scene.lights) add_light(items, scene, light);
+  for (const PictureSun& sun : scene.suns) add_sun(items, scene, sun);
+  for (const PictureBlock& blocker : scene.blockers) {
+    items.push_back({blocker.path.back(), blocker.data, {palette.blocker, 1, 0.6}, "blocker"});
+    items.push_back({"", edges_of(blocker.data, Edges::all), {palette.edge, 1, 1, 1.5}, "blocker"});
   }
-  return labels;
+  add_discontinuities(items, scene);
+  add_volumes(items, scene, scene.umbras, palette.umbra, 0.5);
+  add_volumes(items, scene, scene.penumbras, palette.penumbra, 0.33);
+  return items;
 }
 
 }  // namespace gnomon::viz

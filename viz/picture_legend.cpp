@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "viz/picture_facets.h"
+#include "viz/picture_items.h"
 #include "viz/vtk_cells.h"
 
 namespace gnomon::viz {
@@ -32,13 +33,6 @@ Color faint(const Color& color, double share) {
 /// The kind, with the name where there is only one.
 std::string titled(const std::string& kind, const std::vector<PictureBlock>& blocks) {
   return blocks.size() == 1 ? kind + " (" + blocks.front().path.back() + ")" : kind + "s";
-}
-
-/// Where the shadows of some pairs are not known, nothing is called lit.
-std::string receiver_text(const PictureScene& scene) {
-  const bool one = scene.receivers.size() == 1;
-  const std::string text = one ? "receiver (" + scene.receivers.front().name + ")" : "receivers";
-  return scene.complete ? text + ", lit" : text;
 }
 
 /// Where the legend is drawn, in pixels of its renderer.
@@ -131,37 +125,72 @@ std::string discontinuity_text(const std::string& order) {
   return order + ": light " + jumps;
 }
 
-/// What is seen of divided receivers and of discontinuities, every region and order once.
+std::string region_text(const std::string& region) {
+  return region == "unresolved_eee" ? "umbra or penumbra, unresolved" : region + " on receiver";
+}
+
+/// Receivers that bear no regions of some light, or show their backs.
+void add_plain_receivers(std::vector<LegendEntry>& list, const PictureScene& scene) {
+  const auto undivided = [&](const PictureReceiver& receiver) {
+    return scene.light_names.empty() || std::ranges::any_of(scene.light_names, [&](const std::string& light) {
+             return !is_divided(scene, receiver, light);
+           });
+  };
+  const auto has_back = [](const PictureReceiver& receiver) { return !receiver.ends_scene && !receiver.has_twin; };
+  const bool one = scene.receivers.size() == 1;
+  if (std::ranges::any_of(scene.receivers, undivided)) {
+    const std::string text = one ? "receiver (" + scene.receivers.front().name + ")" : "receivers";
+    list.push_back({text, palette.receiver, LegendMark::filled, "receiver"});
+  } else if (std::ranges::any_of(scene.receivers, has_back)) {
+    list.push_back({"back of receiver", palette.receiver, LegendMark::filled, "receiver"});
+  }
+}
+
+/// What is seen of divided receivers and of discontinuities, every region and order once, in the order of their
+/// numbers.
 void add_divisions(std::vector<LegendEntry>& list, const PictureScene& scene) {
-  for (const PictureBlock& block : scene.divided_receivers) {
-    for (const RegionFacets& part : region_facets(*block.data))
-      add_once(list, {part.name + " on receiver", part.color});
-  }
   std::map<std::string, Color> orders;
-  for (const auto* blocks : {&scene.divided_receivers, &scene.discontinuities}) {
-    for (const PictureBlock& block : *blocks) {
-      for (const OrderedFacets& part : ordered_lines(*block.data)) orders.emplace(part.name, part.color);
-      for (const OrderedFacets& part : ordered_surfaces(*block.data)) orders.emplace(part.name, part.color);
-    }
+  std::vector<RegionFacets> regions;
+  for (const PictureBlock& block : scene.divided_receivers) {
+    for (const RegionFacets& part : region_facets(*block.data)) regions.push_back(part);
+    for (const OrderedFacets& part : ordered_lines(*block.data)) orders.emplace(part.name, part.color);
   }
-  for (const auto& [order, color] : orders) add_once(list, {discontinuity_text(order), color, LegendMark::line});
+  for (const PictureBlock& block : scene.discontinuities) {
+    for (const OrderedFacets& part : ordered_lines(*block.data)) orders.emplace(part.name, part.color);
+    for (const OrderedFacets& part : ordered_surfaces(*block.data)) orders.emplace(part.name, part.color);
+  }
+  std::ranges::stable_sort(regions, {}, &RegionFacets::region);
+  for (const RegionFacets& part : regions) {
+    add_once(list, {region_text(part.name), part.color, LegendMark::filled, part.name});
+  }
+  for (const auto& [order, color] : orders) {
+    add_once(list, {discontinuity_text(order), color, LegendMark::line, order});
+  }
 }
 
 }  // namespace
 
+std::string light_text(const std::string& name, std::size_t light_count) {
+  if (light_count < 2) return "light (" + name + ")";
+  return "light (" + name + "), one of " + std::to_string(light_count);
+}
+
 std::vector<LegendEntry> legend_entries(const PictureScene& scene) {
   std::vector<LegendEntry> list;
-  const auto cells = [](const PictureBlock& block) { return block.data->GetNumberOfCells() > 0; };
-  const auto painted = [&](bool umbra) {
-    return std::ranges::any_of(scene.shadows, [&](const PaintedShadow& shadow) { return shadow.umbra == umbra; });
+  const auto add = [&](const std::string& text, const Color& color, const std::string& layer,
+                       const std::string& light = {}) {
+    list.push_back({text, color, LegendMark::filled, layer, light});
   };
-  if (!scene.lights.empty()) list.push_back({titled("light", scene.lights), palette.light});
-  if (!scene.blockers.empty()) list.push_back({titled("blocker", scene.blockers), palette.blocker});
-  if (std::ranges::any_of(scene.umbras, cells)) list.push_back({"umbra volume", faint(palette.umbra, 0.72)});
-  if (std::ranges::any_of(scene.penumbras, cells)) list.push_back({"penumbra volume", faint(palette.penumbra, 0.42)});
-  if (!scene.receivers.empty()) list.push_back({receiver_text(scene), palette.receiver});
-  if (painted(false)) list.push_back({"penumbra on receiver", palette.penumbra});
-  if (painted(true)) list.push_back({"umbra on receiver", palette.umbra});
+  const auto cells = [](const PictureBlock& block) { return block.data->GetNumberOfCells() > 0; };
+  for (const std::string& light : scene.light_names) {
+    add(light_text(light, scene.light_count), palette.light, "light", light_mark(scene, light));
+  }
+  if (!scene.blockers.empty()) add(titled("blocker", scene.blockers), palette.blocker, "blocker");
+  if (std::ranges::any_of(scene.umbras, cells)) add("umbra volume", faint(palette.umbra, 0.72), "umbra volume");
+  if (std::ranges::any_of(scene.penumbras, cells)) {
+    add("penumbra volume", faint(palette.penumbra, 0.42), "penumbra volume");
+  }
+  add_plain_receivers(list, scene);
   add_divisions(list, scene);
   return list;
 }

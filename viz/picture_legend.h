@@ -17,12 +17,17 @@ struct LegendEntry {
   std::string text;
   Color color;
   LegendMark mark = LegendMark::filled;
+  std::string layer = {};  ///< what it stands for, as PictureItem::layer
+  std::string light = {};  ///< where several lights can be shown: the one with which it stands there
 };
 
 struct Legend {
   std::string title;
   std::vector<LegendEntry> entries;
 };
+
+/// A light by name, and where the scene has several, that it is one of them.
+std::string light_text(const std::string& name, std::size_t light_count);
 
 /// What a picture of the scene shows.
 std::vector<LegendEntry> legend_entries(const PictureScene& scene);

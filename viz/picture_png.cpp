@@ -27,6 +27,10 @@ int oversampling(const PictureOptions& options) {
   return std::max(options.width, options.height) <= 4096 ? 2 : 1;
 }
 
+/// Layers of translucent surfaces that are put in their order. Each costs as much as all that is opaque, and what lies
+/// behind a dozen is hardly seen.
+constexpr int most_peels = 12;
+
 /// The parts of the picture for the scene and for the legend: xmin, ymin, xmax, ymax, each from 0 to 1.
 struct Layout {
   double scene[4];
@@ -45,12 +49,17 @@ DrawingSize drawing_size(const PictureOptions& options) {
 }
 
 void add_spatial_scene(vtkRenderer& renderer, const PictureScene& scene, const PictureOptions& options) {
-  const PictureView view = picture_view(scene, options.camera, drawing_size(options));
+  const DrawingSize size = drawing_size(options);
+  const PictureView view = picture_view(scene, options.camera, size);
+  const std::vector<PictureItem> items = picture_items(scene);
   renderer.SetUseDepthPeeling(1);
-  renderer.SetMaximumNumberOfPeels(64);
+  renderer.SetMaximumNumberOfPeels(most_peels);
   renderer.SetOcclusionRatio(0);
-  add_actors(renderer, picture_items(scene), view, oversampling(options));
-  if (options.labels == Shown::yes) add_labels(renderer, picture_labels(scene, view.up), view, oversampling(options));
+  add_actors(renderer, items, view, size, oversampling(options));
+  if (options.labels == Shown::yes) {
+    const std::vector<PictureLabel> labels = picture_labels(scene, view.position);
+    add_labels(renderer, placed_labels(labels, items, scene, view, size, label_letter), size, oversampling(options));
+  }
   vtkCamera* camera = renderer.GetActiveCamera();
   camera->SetPosition(view.position.x, view.position.y, view.position.z);
   camera->SetFocalPoint(view.focus.x, view.focus.y, view.focus.z);

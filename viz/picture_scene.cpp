@@ -4,11 +4,15 @@
 #include <vtkCellData.h>
 #include <vtkCleanPolyData.h>
 #include <vtkClipPolyData.h>
+#include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPlane.h>
+#include <vtkStringArray.h>
 
 #include <algorithm>
+#include <array>
 #include <initializer_list>
+#include <map>
 
 #include "geometry/spatial/shadow_volume.h"
 #include "viz/vector.h"
@@ -16,10 +20,22 @@
 namespace gnomon::viz {
 namespace {
 
+/// Lights without a place are drawn as arrows, which are lines beside the scene.
+bool is_sun(const PictureBlock& block) {
+  auto* shape = vtkStringArray::SafeDownCast(block.data->GetFieldData()->GetAbstractArray("shape"));
+  return block.kind == "light" && shape != nullptr && shape->GetNumberOfValues() > 0 &&
+         shape->GetValue(0) == "direction";
+}
+
+PictureSun sun(const PictureBlock& block) {
+  const std::vector<Point3> points = points_of(*block.data);
+  return {block.path.back(), unit(points.at(1) - points.at(0))};
+}
+
 std::vector<Point3> scene_points(const std::vector<PictureBlock>& blocks) {
   std::vector<Point3> points;
   for (const PictureBlock& block : blocks) {
-    if (block.path.front() != "scene") continue;
+    if (block.path.front() != "scene" || is_sun(block)) continue;
     const std::vector<Point3> more = points_of(*block.data);
     points.insert(points.end(), more.begin(), more.end());
   }
@@ -33,7 +49,7 @@ double diagonal(const std::vector<Point3>& points) {
 }
 
 PictureReceiver receiver(const PictureBlock& block, const std::vector<Point3>& scene, double size) {
-  PictureReceiver result{block.path.back(), points_of(*block.data), {}, false};
+  PictureReceiver result{block.path.back(), points_of(*block.data), {}, false, false, false};
   result.plane = polygon_plane(result.polygon);
   const auto [low, high] = std::ranges::minmax(scene, {}, [&](const Point3& p) { return result.plane.distance(p); });
   // Walls of real rooms are not quite square.
@@ -42,10 +58,25 @@ PictureReceiver receiver(const PictureBlock& block, const std::vector<Point3>& s
   const bool back = result.plane.distance(high) <= slack;
   result.ends_scene = front != back;
   if (back && !front) {
+    result.turned_away = true;
     result.plane.normal = -1 * result.plane.normal;
     std::ranges::reverse(result.polygon);
   }
   return result;
+}
+
+/// Receivers that are two sides of one polygon have the same points.
+void find_twins(std::vector<PictureReceiver>& receivers) {
+  using Key = std::vector<std::array<double, 3>>;
+  const auto key = [](const PictureReceiver& receiver) {
+    Key points;
+    for (const Point3& p : receiver.polygon) points.push_back({p.x, p.y, p.z});
+    std::ranges::sort(points);
+    return points;
+  };
+  std::map<Key, int> counts;
+  for (const PictureReceiver& receiver : receivers) ++counts[key(receiver)];
+  for (PictureReceiver& receiver : receivers) receiver.has_twin = counts[key(receiver)] > 1;
 }
 
 /// The cells of the kinds given, with their arrays. Without the others nothing is drawn twice in one place: blockers
@@ -108,42 +139,31 @@ void add_volume(PictureScene& scene, const PictureBlock& block) {
   }
 }
 
-/// The occlusion paints the penumbra, the umbra paints over it.
-void add_shadows(PictureScene& scene, const PictureBlock& block) {
-  const bool umbra = block.path.back() == "umbra";
-  if (!umbra && block.path.back() != "occlusion") return;
-  for (std::size_t i = 0; i < scene.receivers.size(); ++i) {
-    const PictureReceiver& receiver = scene.receivers[i];
-    Polygon shadow = clipped(section(*block.data, receiver.plane), receiver.polygon, receiver.plane.normal);
-    if (!shadow.empty()) scene.shadows.push_back({i, umbra, std::move(shadow)});
-  }
-}
-
 }  // namespace
 
 PictureScene picture_scene(const PictureSource& source) {
-  const std::vector<PictureBlock>& blocks = source.blocks;
-  const std::vector<Point3> points = scene_points(blocks);
+  const std::vector<Point3> points = scene_points(source.blocks);
   PictureScene scene;
   scene.title = source.title;
-  scene.complete = source.complete;
   scene.size = diagonal(points);
-  for (const PictureBlock& block : blocks) {
-    if (block.kind == "light") scene.lights.push_back(block);
+  if (source.up == UpAxis::y) scene.up = {0, 1, 0};
+  scene.light_names = source.lights;
+  scene.light_count = source.light_count;
+  for (const PictureBlock& block : source.blocks) {
+    if (is_sun(block)) {
+      scene.suns.push_back(sun(block));
+    } else if (block.kind == "light") {
+      scene.lights.push_back(block);
+    }
     if (block.kind == "blocker") scene.blockers.push_back(block);
     if (block.kind == "receiver") scene.receivers.push_back(receiver(block, points, scene.size));
-  }
-  for (const PictureBlock& block : blocks) {
     if (block.path.front() == "receivers") scene.divided_receivers.push_back(block);
     if (block.path.front() == "discontinuities") scene.discontinuities.push_back(block);
   }
-  for (const PictureBlock& block : blocks) {
-    if (block.kind != "volume") continue;
-    add_volume(scene, block);
-    if (scene.divided_receivers.empty()) add_shadows(scene, block);
+  find_twins(scene.receivers);
+  for (const PictureBlock& block : source.blocks) {
+    if (block.kind == "volume") add_volume(scene, block);
   }
-  std::stable_partition(scene.shadows.begin(), scene.shadows.end(),
-                        [](const PaintedShadow& shadow) { return !shadow.umbra; });
   return scene;
 }
 

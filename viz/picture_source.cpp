@@ -38,7 +38,8 @@ vtkSmartPointer<vtkPolyData> surface_of(const fs::path& directory, const ListedB
 
 PictureSource picture_source(const ShadowResult& result) {
   const bool complete = std::ranges::all_of(result.pairs, &PairResult::supported);
-  PictureSource source{title(result.scene->source), complete, result.scene->dimension, result.clip_box, {}};
+  PictureSource source{
+      title(result.scene->source), complete, result.scene->dimension, result.scene->up, result.clip_box, {}};
   for (const Block& block : shadow_blocks(result)) {
     auto surface = vtkSmartPointer<vtkPolyData>(vtkPolyData::SafeDownCast(block.data));
     if (surface != nullptr && !block.empty()) source.blocks.push_back({block.path, block.kind, surface});
@@ -48,7 +49,7 @@ PictureSource picture_source(const ShadowResult& result) {
 
 PictureSource picture_source(const fs::path& directory) {
   const ListedResult listed = read_manifest(directory);
-  PictureSource source{title(listed.scene), listed.complete, listed.dimension, listed.clip_box, {}};
+  PictureSource source{title(listed.scene), listed.complete, listed.dimension, listed.up, listed.clip_box, {}};
   for (const ListedBlock& block : listed.blocks) {
     if (fs::path(block.file).extension() != ".vtp") continue;
     source.blocks.push_back({block.path, block.kind, surface_of(directory, block)});

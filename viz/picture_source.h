@@ -24,8 +24,11 @@ struct PictureSource {
   std::string title;
   bool complete = true;  ///< false if the shadows of some pairs are not known
   int dimension = 3;
+  UpAxis up = UpAxis::z;
   Box3 clip_box;
   std::vector<PictureBlock> blocks;
+  std::vector<std::string> lights = {};  ///< those that are shown, one at a time; set by `selected`
+  std::size_t light_count = 0;           ///< of the whole scene
 };
 
 /// Requires: result.scene is not null.

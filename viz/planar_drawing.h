@@ -43,7 +43,12 @@ struct Words {
   Color color;
 };
 
-using Mark = std::variant<Fill, Strokes, Disc, Words>;
+/// Something that is painted. Layer and light as in PictureItem.
+struct Mark {
+  std::variant<Fill, Strokes, Disc, Words> shape;
+  std::string layer = {};
+  std::string light = {};
+};
 
 /// A drawing of a result of the plane, as marks in the order in which they are painted, whatever paints them.
 struct PlanarDrawing {
@@ -54,9 +59,9 @@ struct PlanarDrawing {
 };
 
 /// Regions filled, the umbrae above the penumbrae, extremal lines above them, receivers, blockers and lights on top;
-/// the whole clip box fits the size, with a margin.
+/// the whole clip box fits the size, with a margin. What belongs to one of several lights bears its mark.
 ///
-/// Requires: source.dimension == 2, the box has an interior.
+/// Requires: a selected source with dimension == 2; the box has an interior.
 PlanarDrawing planar_drawing(const PictureSource& source, const DrawingSize& size, Shown labels);
 
 /// What the drawing shows.

@@ -48,10 +48,10 @@ bool is_line_block(const PictureSource& source, const PictureBlock& block) {
   return block.kind == (together ? "boundaries" : "extremal_planes");
 }
 
-std::map<std::string, NamedLine> named_lines(const PictureSource& source) {
+std::map<std::string, NamedLine> named_lines(const PictureSource& source, const std::string& light) {
   std::map<std::string, NamedLine> lines;
   for (const PictureBlock& block : source.blocks) {
-    if (!is_line_block(source, block)) continue;
+    if (!is_line_block(source, block) || block.path.at(1) != light) continue;
     vtkDataArray* kinds = block.data->GetCellData()->GetArray("facet_kind");
     const std::vector<Segment> segments = segments_of(block);
     for (std::size_t i = 0; i < segments.size(); ++i) {

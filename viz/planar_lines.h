@@ -30,7 +30,7 @@ struct NamedLine {
   std::vector<Segment> pieces;  ///< all of them
 };
 
-/// Every separating or supporting line once, by the elements that it goes through: "wall 0, tube 1".
-std::map<std::string, NamedLine> named_lines(const PictureSource& source);
+/// Every separating or supporting line of a light once, by the elements that it goes through: "wall 0, tube 1".
+std::map<std::string, NamedLine> named_lines(const PictureSource& source, const std::string& light);
 
 }  // namespace gnomon::viz

@@ -1,19 +1,18 @@
 #include "viz/planar_picture.h"
 
 #include <vtkActor.h>
-#include <vtkBillboardTextActor3D.h>
 #include <vtkCamera.h>
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRegularPolygonSource.h>
 #include <vtkRenderer.h>
-#include <vtkTextProperty.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "viz/haloed_words.h"
 #include "viz/vector.h"
 #include "viz/vtk_cells.h"
 
@@ -65,8 +64,11 @@ class Sheet {
         unit_per_pixel_(drawing.unit_per_pixel),
         half_height_(drawing.unit_per_pixel * drawing.size.height / 2),
         step_(0.1 * half_height_ / static_cast<double>(2 * drawing.marks.size() + 1)),
-        window_pixels_(renderer.GetSize()[1] / drawing.size.height) {
-    set_camera(drawing.box);
+        window_pixels_(renderer.GetSize()[1] / drawing.size.height),
+        width_(drawing.size.width),
+        middle_{std::midpoint(drawing.box.min.x, drawing.box.max.x),
+                std::midpoint(drawing.box.min.y, drawing.box.max.y)} {
+    set_camera();
   }
 
   void operator()(const Fill& mark) { add(polygon_data(mark.polygons), mark.color, mark.opacity); }
@@ -86,30 +88,21 @@ class Sheet {
   void operator()(const Disc& mark) { disc(mark.centre, mark.diameter, mark.color); }
 
   void operator()(const Words& mark) {
-    vtkNew<vtkBillboardTextActor3D> actor;
-    actor->SetInput(mark.text.c_str());
-    actor->SetPosition(mark.at.x, mark.at.y, height_ += step_);
-    vtkTextProperty* look = actor->GetTextProperty();
-    look->SetFontSize(std::max(6, static_cast<int>(std::lround(label_size * window_pixels_))));
-    look->SetColor(mark.color[0], mark.color[1], mark.color[2]);
-    look->SetBackgroundColor(1, 1, 1);
-    look->SetBackgroundOpacity(0.75);
-    look->SetJustificationToCentered();
-    look->SetVerticalJustificationToCentered();
-    renderer_.AddActor(actor);
+    const double x = window_pixels_ * (width_ / 2 + (mark.at.x - middle_.x) / unit_per_pixel_);
+    const double y =
+        half_height_ / unit_per_pixel_ * window_pixels_ + window_pixels_ * (mark.at.y - middle_.y) / unit_per_pixel_;
+    add_words(renderer_, {mark.text, x, y, label_size * window_pixels_, mark.color});
   }
 
   void next() { height_ += step_; }
 
  private:
-  void set_camera(const Box3& box) {
-    const double x = std::midpoint(box.min.x, box.max.x);
-    const double y = std::midpoint(box.min.y, box.max.y);
+  void set_camera() {
     vtkCamera* camera = renderer_.GetActiveCamera();
     camera->ParallelProjectionOn();
     camera->SetParallelScale(half_height_);
-    camera->SetFocalPoint(x, y, 0);
-    camera->SetPosition(x, y, 4 * half_height_);
+    camera->SetFocalPoint(middle_.x, middle_.y, 0);
+    camera->SetPosition(middle_.x, middle_.y, 4 * half_height_);
     camera->SetViewUp(0, 1, 0);
     camera->SetClippingRange(half_height_, 8 * half_height_);
   }
@@ -142,6 +135,8 @@ class Sheet {
   double half_height_;
   double step_;
   double window_pixels_;  ///< of the window for one of the finished picture
+  double width_;          ///< of the finished picture
+  Point2 middle_;
   double height_ = 0;
 };
 
@@ -150,7 +145,7 @@ class Sheet {
 void add_planar_drawing(vtkRenderer& renderer, const PlanarDrawing& drawing) {
   Sheet sheet(renderer, drawing);
   for (const Mark& mark : drawing.marks) {
-    std::visit(sheet, mark);
+    std::visit(sheet, mark.shape);
     sheet.next();
   }
 }

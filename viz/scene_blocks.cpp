@@ -15,8 +15,10 @@
 #include "geometry/kernel.h"
 #include "geometry/scene/convex_parts.h"
 #include "geometry/scene/receiver_facets.h"
+#include "geometry/scene/scene_points.h"
 #include "viz/block.h"
 #include "viz/cell_arrays.h"
+#include "viz/vector.h"
 #include "viz/vtk_cells.h"
 
 namespace gnomon::viz {
@@ -98,24 +100,62 @@ vtkSmartPointer<vtkPolyData> points_or_line(std::span<const Point3> points, cons
   return data;
 }
 
-/// A directional light is drawn as the ray that ends in the middle of the clip box, half the box's diagonal long.
-std::vector<Point3> central_ray(const Point3& direction, const Box3& box) {
+/// The smallest box around everything that has a place.
+Box3 box_around(const Scene& scene) {
+  Box3 box{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+  const auto add = [&box](std::span<const Point3> points) {
+    for (const Point3& p : points) {
+      box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};
+      box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
+    }
+  };
+  for (const SceneLight& light : scene.lights) add(light_points(light.shape));
+  for (const SceneBlocker& blocker : scene.blockers) add(blocker_points(blocker.shape));
+  for (const SceneReceiver& receiver : scene.receivers) add(receiver.shape.points());
+  return box.min.x <= box.max.x ? box : Box3{};
+}
+
+/// How far the way leads from the middle of a box to its border.
+double way_out(const Box3& box, const Point3& way) {
+  const auto along = [](double side, double step) { return step == 0 ? HUGE_VAL : side / 2 / std::abs(step); };
+  return std::min(
+      {along(box.max.x - box.min.x, way.x), along(box.max.y - box.min.y, way.y), along(box.max.z - box.min.z, way.z)});
+}
+
+/// A directional light is drawn as a short arrow beside the scene, where the light comes from: shaft and four barbs.
+vtkSmartPointer<vtkPolyData> arrow(const Point3& direction, const Scene& scene, const CellName& cell) {
+  const Box3 box = box_around(scene);
   const Point3 middle{std::midpoint(box.min.x, box.max.x), std::midpoint(box.min.y, box.max.y),
                       std::midpoint(box.min.z, box.max.z)};
-  const double diagonal = std::hypot(box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z);
-  const double step = diagonal / 2 / std::hypot(direction.x, direction.y, direction.z);
-  return {{middle.x - step * direction.x, middle.y - step * direction.y, middle.z - step * direction.z}, middle};
+  const double diagonal = length(box.max - box.min);
+  const double size = diagonal > 0 && std::isfinite(diagonal) ? diagonal : 1;
+  const Point3 way = unit(direction);
+  const Point3 tip = middle - (way_out(box, way) + 0.03 * size) * way;
+  const Point3 aside = unit(cross(way, std::abs(way.z) < 0.9 ? Point3{0, 0, 1} : Point3{1, 0, 0}));
+  const Point3 other = cross(way, aside);
+  std::vector<Point3> points = {tip - 0.15 * size * way, tip};
+  for (const Point3& side : {aside, -1 * aside, other, -1 * other}) {
+    points.push_back(tip - 0.04 * size * way + 0.02 * size * side);
+  }
+  vtkNew<vtkCellArray> cells;
+  insert_cell(*cells, std::vector<int>{0, 1});
+  for (int barb = 2; barb < 6; ++barb) insert_cell(*cells, std::vector<int>{barb, 1});
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(vtk_points(points));
+  data->SetLines(cells);
+  add_cell_arrays(*data, std::vector<CellName>(5, cell));
+  return data;
 }
 
 struct LightData {
   CellName cell;
-  const Box3& box;
+  const Scene& scene;
 
   vtkSmartPointer<vtkPolyData> operator()(const PointLight& light) const {
     return points_or_line(std::vector{light.position}, cell);
   }
   vtkSmartPointer<vtkPolyData> operator()(const DirectionalLight& light) const {
-    return points_or_line(central_ray(light.direction, box), cell);
+    return arrow(light.direction, scene, cell);
   }
   vtkSmartPointer<vtkPolyData> operator()(const LinearLight& light) const {
     return points_or_line(std::vector{light.start, light.end}, cell);
@@ -191,7 +231,7 @@ void append_scene_blocks(std::vector<Block>& blocks, const ShadowResult& result)
     append_block(blocks, {{"scene", "lights", light.name},
                           "light",
                           light_fields(result, light),
-                          std::visit(LightData{cell, result.clip_box}, light.shape)});
+                          std::visit(LightData{cell, scene}, light.shape)});
   }
   for (std::size_t i = 0; i < scene.blockers.size(); ++i) {
     const SceneBlocker& blocker = scene.blockers[i];

@@ -8,6 +8,7 @@
 #include "geometry/region.h"
 #include "viz/block.h"
 #include "viz/cell_arrays.h"
+#include "viz/receiver_blocks.h"
 #include "viz/vtk_cells.h"
 
 namespace gnomon::viz {
@@ -163,6 +164,7 @@ std::vector<Block> shadow_blocks(const ShadowResult& result) {
   for (const auto append : {append_solids, append_planes}) {
     for (const PairResult* pair : pairs) append(blocks, result, *pair);
   }
+  for (const ReceiverResult& receiver : result.receivers) append_receiver_faces(blocks, result, receiver);
   return blocks;
 }
 

@@ -15,6 +15,7 @@
 #include "geometry/spatial/position.h"
 #include "geometry/spatial/shadow_volume.h"
 #include "geometry/spatial/volume_mesh.h"
+#include "viz/receiver_result.h"
 
 namespace gnomon {
 
@@ -70,6 +71,8 @@ struct ShadowResult {
   /// Dimension 2: the lights that are behind more than one segment.
   std::vector<PlanarLightResult> planar_lights = {};
   std::vector<MergedResult> merged = {};  ///< dimension 3: blockers of several parts, if asked for
+  /// Dimension 3: receivers divided by what they receive of a light, where that is supported. Light by light.
+  std::vector<ReceiverResult> receivers = {};
 };
 
 }  // namespace gnomon

@@ -10,10 +10,12 @@
 #include <vtkNew.h>
 #include <vtkTriangle.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <sstream>
 
+#include "viz/cell_arrays.h"
 #include "viz/file_name.h"
 #include "viz/path_text.h"
 
@@ -27,9 +29,22 @@ std::ostringstream exact_stream() {
   return out;
 }
 
-vtkSmartPointer<vtkPolyData> numbered_surface(vtkPolyData* surface, int number) {
+/// The names of the cell arrays that some surface has.
+std::vector<std::string> common_arrays(std::span<const Block> blocks) {
+  std::vector<std::string> all;
+  for (const Block& block : blocks) {
+    for (const std::string& name : names_of_cell_arrays(*block.data)) {
+      if (!block.empty() && std::ranges::count(all, name) == 0) all.push_back(name);
+    }
+  }
+  return all;
+}
+
+/// One surface keeps only the arrays that all of its parts have.
+vtkSmartPointer<vtkPolyData> numbered_surface(vtkPolyData* surface, int number, std::span<const std::string> arrays) {
   auto copy = vtkSmartPointer<vtkPolyData>::New();
   copy->ShallowCopy(surface);
+  add_empty_cell_arrays(*copy, arrays);
   vtkNew<vtkIntArray> numbers;
   numbers->SetName("block_id");
   numbers->SetNumberOfTuples(surface->GetNumberOfCells());
@@ -73,10 +88,11 @@ void write_stl_facet(std::ostream& out, const Corner& a, const Corner& b, const 
 vtkSmartPointer<vtkPolyData> merged_surfaces(std::span<const Block> blocks, const Fields& fields) {
   vtkNew<vtkAppendPolyData> append;
   std::vector<std::string> names;
+  const std::vector<std::string> arrays = common_arrays(blocks);
   for (const Block& block : blocks) {
     vtkPolyData* surface = vtkPolyData::SafeDownCast(block.data);
     if (surface == nullptr || block.empty()) continue;
-    append->AddInputData(numbered_surface(surface, static_cast<int>(names.size())));
+    append->AddInputData(numbered_surface(surface, static_cast<int>(names.size()), arrays));
     names.push_back(joined(block.path));
   }
   append->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);

@@ -131,8 +131,18 @@ std::string svg_text(const PlanarDrawing& drawing, const Legend& legend) {
   std::string text = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + size + "\" width=\"" + number(width) +
                      "\" height=\"" + number(drawing.size.height) + "\" font-family=\"sans-serif\">\n<title>" +
                      xml_escaped(legend.title) + "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
-  for (const Mark& mark : drawing.marks) text += std::visit(Page(drawing), mark);
+  for (const Mark& mark : drawing.marks) text += std::visit(Page(drawing), mark.shape);
   if (has_legend) text += legend_text(legend, drawing.size.width + 8);
+  return text + "</svg>\n";
+}
+
+std::string svg_in_page(const PlanarDrawing& drawing) {
+  std::string text = "<svg id=\"picture\" viewBox=\"0 0 " + number(drawing.size.width) + " " +
+                     number(drawing.size.height) + "\" font-family=\"sans-serif\">\n";
+  for (const Mark& mark : drawing.marks) {
+    text += "<g data-layer=\"" + xml_escaped(mark.layer) + "\" data-light=\"" + xml_escaped(mark.light) + "\">" +
+            std::visit(Page(drawing), mark.shape) + "</g>\n";
+  }
   return text + "</svg>\n";
 }
 

@@ -11,4 +11,7 @@ namespace gnomon::viz {
 /// under the mouse; numbers are rounded to a thousandth of a pixel. An empty legend takes no room.
 std::string svg_text(const PlanarDrawing& drawing, const Legend& legend);
 
+/// The drawing alone as an element of a page: the marks in groups that bear their layer and light.
+std::string svg_in_page(const PlanarDrawing& drawing);
+
 }  // namespace gnomon::viz

@@ -5,30 +5,48 @@
 """
 
 import argparse
+import ctypes
 import json
 import os
+import re
 import sys
 
-from paraview import simple
-
-LIGHT = [0.94, 0.76, 0.05]
-BLOCKER = [0.84, 0.37, 0.00]
-RECEIVER = [0.95, 0.93, 0.87]
-EDGE = [0.12, 0.12, 0.14]
-PLANE = [0.45, 0.45, 0.50]
-
 # The cell array `facet_kind` of extremal lines.
-SEPARATING = (1, [0.72, 0.11, 0.42])
-SUPPORTING = (3, [0.00, 0.43, 0.26])
+SEPARATING = 1
+SUPPORTING = 3
 
-# Number, name and colour of every value of the cell array `region`.
-REGIONS = [
-    (0, "lit", [0.98, 0.91, 0.62]),
-    (1, "penumbra", [0.47, 0.71, 0.89]),
-    (2, "umbra", [0.07, 0.22, 0.42]),
-    (3, "unlit", [0.35, 0.33, 0.36]),
-    (4, "unresolved_eee", [0.80, 0.47, 0.65]),
-]
+# Number and name of every value of the cell arrays `region` and `discontinuity_order`.
+REGIONS = [(0, "lit"), (1, "penumbra"), (2, "umbra"), (3, "unlit"), (4, "unresolved_eee")]
+ORDERS = [(0, "D0"), (1, "D1"), (2, "D2")]
+
+
+def end(message):
+    """Ends with a sentence. ParaView's window has no other place for it than its messages."""
+    raise SystemExit("view.py: " + message)
+
+
+def paraview_simple():
+    try:
+        from paraview import simple
+    except ImportError as error:
+        end(f"ParaView's Python modules are missing ({error}); on Debian they are the package python3-paraview, and where "
+            "libvtk9-dev keeps that from being installed, docs/paraview.md of gnomon says what to do")
+    return simple
+
+
+def require_display():
+    """ParaView ends without a word where it draws by an X server and finds none."""
+    from vtkmodules.vtkRenderingCore import vtkRenderWindow
+    import vtkmodules.vtkRenderingOpenGL2
+    if vtkRenderWindow().GetClassName() != "vtkXOpenGLRenderWindow":
+        return
+    x11 = ctypes.CDLL("libX11.so.6")
+    x11.XOpenDisplay.restype = ctypes.c_void_p
+    display = x11.XOpenDisplay(None)
+    if not display:
+        end("ParaView draws on a display and finds none; without a screen run "
+            "`xvfb-run -a pvbatch view.py --screenshot FILE.png` (Debian packages xvfb and xauth)")
+    x11.XCloseDisplay(ctypes.c_void_p(display))
 
 
 def this_folder():
@@ -52,14 +70,14 @@ def read_manifest(folder):
         with open(os.path.join(folder, "manifest.json"), encoding="utf-8") as file:
             return json.load(file)
     except OSError as error:
-        raise SystemExit(f"view.py: {error}; start ParaView in the result's folder, or with --script=FOLDER/view.py")
+        end(f"{error}; start ParaView in the result's folder, or with --script=FOLDER/view.py")
 
 
 def root_file(folder, manifest):
     for root in manifest["roots"]:
         if root.endswith((".vtm", ".vtpc", ".pvd")):
             return os.path.join(folder, root)
-    raise SystemExit("view.py: the result has no .vtm, .vtpc or .pvd file")
+    end("the result has no .vtm, .vtpc or .pvd file")
 
 
 def generations_of(reader):
@@ -82,16 +100,14 @@ def check_generations(reader, manifest):
     if "generation" in manifest:
         known = manifest.get("generations", [manifest["generation"]])
         if not generations_of(reader) <= set(known):
-            raise SystemExit("view.py: some files are of another run than manifest.json; a run was stopped before it "
-                             "had put everything into its place, so let gnomon write the folder again")
+            end("some files are of another run than manifest.json; a run was stopped before it had put everything into "
+                "its place, so let gnomon write the folder again")
 
 
-# The same for `discontinuity_order`: where the light jumps, its first derivative does, or its second.
-ORDERS = [
-    (0, "D0", [0.20, 0.00, 0.05]),
-    (1, "D1", [0.85, 0.08, 0.35]),
-    (2, "D2", [0.48, 0.92, 0.48]),
-]
+def node(name):
+    """How ParaView calls a block in its tree, where not every letter is allowed."""
+    allowed = re.sub(r"[^A-Za-z0-9_.-]", "", name)
+    return allowed if re.match(r"[A-Za-z_]", allowed) else "_" + allowed
 
 
 class Result:
@@ -99,31 +115,30 @@ class Result:
 
     def __init__(self, reader, manifest, view):
         self.reader = reader
-        self.blocks = manifest["blocks"]
+        self.blocks = [block for block in manifest["blocks"] if block["file"]]
+        self.palette = manifest["palette"]
+        self.up = manifest.get("up", "z")
         self.view = view
+        with_results = {b["path"][1] for b in self.blocks if b["path"][0] != "scene"}
+        names = [b["path"][-1] for b in self.blocks if b["kind"] == "light"]
+        #: Those that have results: one is shown, for what several make of one place lies in one place.
+        self.lights = [name for name in names if name in with_results] or names
+        self.whole = {b["path"][-1] for b in self.blocks if b["kind"] == "blocker"}
 
-    def part(self, name, kind, region=None):
-        """The blocks of one kind under a name of their own; None if there are none."""
-        if not any(b["kind"] == kind and b["file"] and region in (None, b["path"][-1]) for b in self.blocks):
+    def select(self, kind, light=None, region=None):
+        """The blocks of one kind, all or those of a light, all or those of a region."""
+        return [b for b in self.blocks if b["kind"] == kind and light in (None, b["path"][1])
+                and region in (None, b["path"][-1])]
+
+    def suns(self):
+        return [b for b in self.blocks if b["kind"] == "light" and b["field_data"]["shape"] == ["direction"]]
+
+    def part(self, name, blocks):
+        """The blocks under a name of their own; None if there are none."""
+        if not blocks:
             return None
-        folder = {"light": "scene/lights", "blocker": "scene/blockers", "receiver": "scene/receivers",
-                  "volume": "volumes", "extremal_planes": "extremal_planes", "region": "regions",
-                  "boundaries": "boundaries"}[kind]
         extract = simple.ExtractBlock(registrationName=name, Input=self.reader)
-        extract.Selectors = ["//" + folder if region is None else f"//{folder}/*/*/{region}"]
-        extract.UpdatePipeline()
-        return extract
-
-    def lights_of(self, kind):
-        """The lights, in order, that have blocks of a kind."""
-        return list(dict.fromkeys(b["path"][1] for b in self.blocks if b["kind"] == kind and b["file"]))
-
-    def of_light(self, light, kind):
-        """All blocks of one kind and light."""
-        paths = ["/".join(b["path"]) for b in self.blocks
-                 if b["kind"] == kind and b["file"] and b["path"][1] == light]
-        extract = simple.ExtractBlock(registrationName=f"{kind.replace('_', ' ')} of {light}", Input=self.reader)
-        extract.Selectors = ["/Root/" + path for path in paths]
+        extract.Selectors = ["/Root/" + "/".join(node(part) for part in block["path"]) for block in blocks]
         extract.UpdatePipeline()
         return extract
 
@@ -133,29 +148,34 @@ class Result:
         display = simple.Show(source, self.view)
         display.Representation = "Surface With Edges" if edges else "Surface"
         display.ColorArrayName = [None, ""]
-        display.AmbientColor = color
-        display.DiffuseColor = color
+        display.AmbientColor = self.palette[color]
+        display.DiffuseColor = self.palette[color]
         display.Ambient = 0.4
         display.Diffuse = 0.6
-        display.EdgeColor = EDGE
+        display.EdgeColor = self.palette["edge"]
         display.Opacity = opacity
         display.LineWidth = 4.0
         display.PointSize = 16.0
         return display
 
+    def color_by(self, display, array, flat=False):
+        """By the numbers of an array, in the colours of the legend."""
+        simple.ColorBy(display, ("CELLS", array))
+        if flat:
+            display.Ambient = 1.0
+            display.Diffuse = 0.0
 
-def category_colors(array, entries):
-    """Colours of an array of numbers that stand for names; they are those that a legend shows."""
-    table = simple.GetColorTransferFunction(array)
-    table.InterpretValuesAsCategories = 1
-    table.Annotations = [text for number, name, _ in entries for text in (str(number), name)]
-    table.IndexedColors = [value for _, _, color in entries for value in color]
-    table.IndexedOpacities = [1.0] * len(entries)
-    return table
+    def category_colors(self, array, entries):
+        """Colours of an array of numbers that stand for names; they are those that a legend shows."""
+        table = simple.GetColorTransferFunction(array)
+        table.InterpretValuesAsCategories = 1
+        table.Annotations = [text for number, name in entries for text in (str(number), name)]
+        table.IndexedColors = [value for _, name in entries for value in self.palette[name]]
+        table.IndexedOpacities = [1.0] * len(entries)
+        return table
 
-
-def region_colors(names):
-    return category_colors("region", [region for region in REGIONS if region[1] in names])
+    def region_colors(self, names):
+        return self.category_colors("region", [region for region in REGIONS if region[1] in names])
 
 
 def only(source, name, facet_kind):
@@ -174,65 +194,48 @@ def without(source, name, facet_kind):
     return facets
 
 
-def show_volume(result, name, opacity, on_others):
-    source = result.part(name + " volumes", "volume", name)
+def show_volume(result, light, name, opacity, on_others):
+    """Of blockers that are one convex body; those of parts are there to be switched on."""
+    blocks = result.select("volume", light, name)
+    source = result.part(name + " volumes", [b for b in blocks if b["path"][2] in result.whole])
+    parts = result.part(name + " volumes of parts", [b for b in blocks if b["path"][2] not in result.whole])
+    if parts is not None:
+        result.color_by(result.show(parts, "edge", opacity), "region")
+        simple.Hide(parts, result.view)
     if source is None:
         return None
     for facet_kind in on_others:
         source = without(source, f"{name} without facets of kind {facet_kind}", facet_kind)
-    display = result.show(source, EDGE, opacity)
-    simple.ColorBy(display, ("CELLS", "region"))
+    result.color_by(result.show(source, "edge", opacity), "region")
     return source
 
 
-def middle(bounds):
-    return [(bounds[2 * i] + bounds[2 * i + 1]) / 2 for i in range(3)]
-
-
-def up_axis(lights, blockers):
-    """The axis that leads from the blockers to the lights; z where it is close."""
-    if lights is None or blockers is None:
-        return [0.0, 0.0, 1.0]
-    low = middle(blockers.GetDataInformation().GetBounds())
-    high = middle(lights.GetDataInformation().GetBounds())
-    way = [h - l for h, l in zip(high, low)]
-    length = max(1e-300, sum(x * x for x in way) ** 0.5)
-    axis = 2 if abs(way[2]) >= 0.5 * length else max(range(3), key=lambda i: abs(way[i]))
-    up = [0.0, 0.0, 0.0]
-    up[axis] = 1.0 if way[axis] >= 0 else -1.0
-    return up
-
-
 def set_camera(view, up):
-    """A three-quarter view from above."""
-    axis = max(range(3), key=lambda i: abs(up[i]))
-    position = [0.0, 0.0, 0.0]
-    position[(axis + 1) % 3] = 0.5
-    position[(axis + 2) % 3] = -0.8
-    position[axis] = 0.42 * up[axis]
+    """A three-quarter view from above of everything that is shown."""
+    toward = {"z": [0.5, -0.8, 0.42], "y": [0.5, 0.42, 0.8]}[up]
     view.CameraFocalPoint = [0.0, 0.0, 0.0]
-    view.CameraPosition = position
-    view.CameraViewUp = up
+    view.CameraPosition = toward
+    view.CameraViewUp = [0.0, float(up == "y"), float(up == "z")]
     simple.ResetCamera(view)
     view.GetActiveCamera().Zoom(1.2)
 
 
-def new_view():
+def new_view(edge):
     view = simple.GetActiveViewOrCreate("RenderView")
     view.ViewSize = [1280, 960]
     view.UseColorPaletteForBackground = 0
     view.Background = [1.0, 1.0, 1.0]
-    view.OrientationAxesLabelColor = EDGE
+    view.OrientationAxesLabelColor = edge
     return view
 
 
-def show_legend(view, table, title="region", place="Lower Right Corner"):
-    bar = simple.GetScalarBar(table, view)
+def show_legend(result, table, title="region", place="Lower Right Corner"):
+    bar = simple.GetScalarBar(table, result.view)
     bar.Title = title
     bar.WindowLocation = place
     bar.ComponentTitle = ""
-    bar.TitleColor = EDGE
-    bar.LabelColor = EDGE
+    bar.TitleColor = result.palette["edge"]
+    bar.LabelColor = result.palette["edge"]
     bar.Visibility = 1
 
 
@@ -242,53 +245,61 @@ def show_by_order(result, name, source, opacity):
     events.Scalars = ["CELLS", "discontinuity_order"]
     events.LowerThreshold = 0
     events.UpperThreshold = 2
-    simple.ColorBy(result.show(events, EDGE, opacity), ("CELLS", "discontinuity_order"))
+    result.color_by(result.show(events, "edge", opacity), "discontinuity_order")
     return events
 
 
 def show_divisions(result):
-    """Discontinuities by their order, divided receivers by their regions: those of the first light, for what lights
-    make of one receiver lies in one place. The others are there to be switched on."""
-    order = category_colors("discontinuity_order", ORDERS)
+    """Discontinuities by their order, divided receivers by their regions; those of other lights than the first are there
+    to be switched on."""
+    order = result.category_colors("discontinuity_order", ORDERS)
     for kind, opacity in (("discontinuities", 0.5), ("receiver_faces", 1.0), ("receiver_edges", 1.0)):
-        for i, light in enumerate(result.lights_of(kind)):
-            source = result.of_light(light, kind)
+        for i, light in enumerate(result.lights):
+            name = f"{kind.replace('_', ' ')} of {light}"
+            source = result.part(name, [b for b in result.select(kind, light) if "discontinuity_order" in b["cell_arrays"]
+                                        or kind == "receiver_faces"])
+            if source is None:
+                continue
             if kind == "receiver_faces":
-                simple.ColorBy(result.show(source, EDGE), ("CELLS", "region"))
+                result.color_by(result.show(source, "edge"), "region", flat=True)
             else:
-                source = show_by_order(result, f"{kind} of {light}", source, opacity)
-                show_legend(result.view, order, "order", "Upper Right Corner")
+                source = show_by_order(result, name, source, opacity)
+                show_legend(result, order, "order", "Upper Right Corner")
             if i > 0:
                 simple.Hide(source, result.view)
 
 
-def show_space(result):
-    """Returns the names of the regions shown."""
-    lights = result.part("lights", "light")
-    blockers = result.part("blockers", "blocker")
-    result.show(lights, LIGHT, edges=True)
-    result.show(blockers, BLOCKER, edges=True)
-    divided = bool(result.lights_of("receiver_faces"))
-    receivers = result.part("receivers", "receiver")
-    result.show(receivers, RECEIVER, edges=True)
-    if divided:
-        simple.Hide(receivers, result.view)  # the faces lie on them
-    # Blocker faces lie on the blockers, a penumbra's supporting planes on the umbra.
-    umbrae = show_volume(result, "umbra", 0.55, (0,))
-    penumbrae = show_volume(result, "penumbra", 0.3, (0, 3))
-
-    show_divisions(result)
-
-    # There to be switched on.
-    for hidden in (result.part("occlusion volumes", "volume", "occlusion"),
-                   result.part("extremal planes", "extremal_planes")):
+def show_hidden(result, light):
+    """What is there to be switched on."""
+    others = [b for b in result.select("volume") if b["path"][1] != light]
+    for hidden in (result.part("occlusion volumes", result.select("volume", light, "occlusion")),
+                   result.part("extremal planes", result.select("extremal_planes", light)),
+                   result.part("volumes of other lights", others),
+                   result.part("other lights", [b for b in result.select("light") if b["path"][-1] != light])):
         if hidden is not None:
-            result.show(hidden, PLANE, 0.3, edges=True)
+            result.show(hidden, "plane", 0.3, edges=True)
             simple.Hide(hidden, result.view)
 
-    set_camera(result.view, up_axis(lights, blockers))
+
+def show_space(result):
+    """Returns the names of the regions shown."""
+    light = result.lights[0] if result.lights else None
+    lamp = [b for b in result.select("light") if b["path"][-1] == light]
+    suns = [b for b in lamp if b in result.suns()]
+    result.show(result.part("light " + str(light), [b for b in lamp if b not in suns]), "light", edges=True)
+    result.show(result.part("blockers", result.select("blocker")), "blocker", edges=True)
+    divided = {b["path"][2] for b in result.select("receiver_faces", light)}
+    plain = [b for b in result.select("receiver") if b["path"][-1] not in divided]
+    result.show(result.part("receivers", plain), "receiver", edges=True)
+    # Blocker faces lie on the blockers, a penumbra's supporting planes on the umbra.
+    umbrae = show_volume(result, light, "umbra", 0.55, (0,))
+    penumbrae = show_volume(result, light, "penumbra", 0.3, (0, 3))
+    show_divisions(result)
+    show_hidden(result, light)
+    set_camera(result.view, result.up)
+    result.show(result.part("sun " + str(light), suns), "light")  # an arrow beside the scene, which frames nothing
     if divided:
-        return [name for _, name, _ in REGIONS]
+        return [name for _, name in REGIONS]
     return [name for name, source in (("umbra", umbrae), ("penumbra", penumbrae)) if source is not None]
 
 
@@ -299,6 +310,7 @@ class Drawing:
     def __init__(self, result, box):
         self.result = result
         self.box = box
+        self.light = result.lights[0] if result.lights else None
         self.step = 1e-3 * max(box[3] - box[0], box[4] - box[1])
         self.layer = 0
 
@@ -314,18 +326,19 @@ class Drawing:
         return display
 
     def show_region(self, name):
-        kind = "region" if any(b["kind"] == "region" for b in self.result.blocks) else "volume"
-        display = self.show(self.result.part(name + " regions", kind, name), EDGE)
+        kind = "region" if self.result.select("region") else "volume"
+        display = self.show(self.result.part(name + " regions", self.result.select(kind, self.light, name)), "edge")
         if display is not None:
             simple.ColorBy(display, ("CELLS", "region"))
         return display is not None
 
     def show_lines(self):
-        lines = self.result.part("boundaries", "boundaries") or self.result.part("extremal lines", "extremal_planes")
+        lines = (self.result.part("boundaries", self.result.select("boundaries", self.light)) or
+                 self.result.part("extremal lines", self.result.select("extremal_planes", self.light)))
         if lines is None:
             return
-        for name, (kind, color) in (("supporting lines", SUPPORTING), ("separating lines", SEPARATING)):
-            self.show(only(lines, name, kind), color, line_width=2.0)
+        for name, kind in (("supporting", SUPPORTING), ("separating", SEPARATING)):
+            self.show(only(lines, name + " lines", kind), name, line_width=2.0)
 
     def set_camera(self):
         view = self.result.view
@@ -347,9 +360,10 @@ def show_plane(result, box):
     drawing = Drawing(result, box)
     names = [name for name in ("penumbra", "umbra") if drawing.show_region(name)]
     drawing.show_lines()
-    drawing.show(result.part("receivers", "receiver"), PLANE)
-    drawing.show(result.part("blockers", "blocker"), BLOCKER, line_width=6.0)
-    drawing.show(result.part("lights", "light"), LIGHT, line_width=6.0)
+    drawing.show(result.part("receivers", result.select("receiver")), "plane")
+    drawing.show(result.part("blockers", result.select("blocker")), "blocker", line_width=6.0)
+    lamp = [b for b in result.select("light") if b["path"][-1] == drawing.light]
+    drawing.show(result.part("light " + str(drawing.light), lamp), "light", line_width=6.0)
     drawing.set_camera()
     return names
 
@@ -364,7 +378,7 @@ def main(arguments):
     file = root_file(folder, manifest)
     reader = simple.OpenDataFile(file, registrationName=os.path.basename(file))
     check_generations(reader, manifest)
-    view = new_view()
+    view = new_view(manifest["palette"]["edge"])
     simple.Hide(reader, view)
 
     result = Result(reader, manifest, view)
@@ -373,7 +387,7 @@ def main(arguments):
     else:
         names = show_space(result)
     if names:
-        show_legend(view, region_colors(names))
+        show_legend(result, result.region_colors(names))
     if file.endswith(".pvd"):
         simple.GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
     simple.Render(view)
@@ -381,4 +395,6 @@ def main(arguments):
         simple.SaveScreenshot(options.screenshot, view, ImageResolution=[1280, 960])
 
 
+simple = paraview_simple()
+require_display()
 main(sys.argv[1:] if "__file__" in globals() else [])

@@ -12,6 +12,8 @@
 #include "apps/gnomon/commands.h"
 #include "apps/gnomon/computed_shadows.h"
 #include "apps/gnomon/console.h"
+#include "apps/gnomon/element_choice.h"
+#include "apps/gnomon/scene_discontinuities.h"
 #include "apps/gnomon/scene_input.h"
 #include "apps/gnomon/scene_pairs.h"
 #include "apps/gnomon/shadow_summary.h"
@@ -33,22 +35,30 @@ struct RenderOptions : CommonOptions {
   std::string out;
   std::string size;
   std::string camera;
+  std::string up;
+  std::string receiver;
+  bool volumes = false;
   bool without_legend = false;
   bool without_labels = false;
 };
 
 void add_options(CLI::App& app, RenderOptions& options) {
-  add_text(app, "SCENE|DIR", options.scene, "PATH", "Scene file, or a folder written by 'gnomon shadow'")->required();
+  add_text(app, "SCENE|DIR", options.scene, "PATH", "Scene file, or a folder that a command has written")->required();
   add_text(app, "--out", options.out, "FILE", std::string("The picture; its ending says what it is: ") + endings)
       ->required();
   add_text(app, "--size", options.size, "WxH", "Width and height in pixels (default: 1280x960)");
   add_text(app, "--camera", options.camera, "CAMERA",
            "three-quarter (default), front, back, left, right, top or bottom; or the place x,y,z of the camera, the "
            "place it looks at (x,y,z,fx,fy,fz), and its up direction (x,y,z,fx,fy,fz,ux,uy,uz)");
+  add_text(app, "--up", options.up, "AXIS", "The axis that points up, z or y (default: the scene's, or z)");
+  add_text(app, "--receiver", options.receiver, "NAME", "Draw this receiver only");
+  app.add_flag("--volumes", options.volumes, "Also draw volumes of blockers that are several convex parts");
   app.add_flag("--no-legend", options.without_legend, "Leave the legend out");
   app.add_flag("--no-labels", options.without_labels, "Leave the names at lights, blockers, receivers and lines out");
   add_pair_options(app, options);
   app.footer(
+      "A picture shows one light, the first unless --light names another; on a page all can be chosen. Receivers have\n"
+      "the colours of the exact regions behind all blockers together; --blocker chooses volumes alone.\n"
       "A page (.html) needs no network: it carries three.js, which is read from Debian's package libjs-three.\n"
       "A PNG without a display starts a virtual one (Debian packages xvfb and libgl1-mesa-dri).\n\n"
       "Examples:\n"
@@ -72,6 +82,14 @@ void read_size(const std::string& size, PictureOptions& picture) {
   const std::string_view height = text.substr(std::min(cross + 1, size.size()));
   picture.width = side_from_text(text.substr(0, cross), size);
   picture.height = side_from_text(height, size);
+}
+
+/// What of a scene or folder is drawn, and how it stands.
+void read_selection(const RenderOptions& options, PictureOptions& picture) {
+  picture.selection = {options.light, options.receiver, options.volumes ? Shown::yes : Shown::no};
+  if (options.up.empty()) return;
+  if (options.up != "z" && options.up != "y") throw UsageError("--up " + options.up + ": expected z or y");
+  picture.up = options.up == "y" ? UpAxis::y : UpAxis::z;
 }
 
 [[noreturn]] void refuse_camera(const std::string& camera, const std::string& why) {
@@ -102,6 +120,7 @@ PictureOptions picture_options(const RenderOptions& options) {
     throw UsageError("--out " + options.out + ": expected a file that ends in " + endings);
   }
   read_size(options.size, picture);
+  read_selection(options, picture);
   if (options.without_legend) picture.legend = Shown::no;
   if (options.without_labels) picture.labels = Shown::no;
   if (options.camera.empty()) return picture;
@@ -119,14 +138,33 @@ void check_dimension(const RenderOptions& options, int dimension) {
   if (dimension == 2 && !options.camera.empty()) {
     throw UsageError("--camera: a scene of the plane is drawn as it is; " + options.scene + " has dimension 2");
   }
+  if (dimension == 2 && !options.up.empty()) {
+    throw UsageError("--up: a scene of the plane is drawn as it is; " + options.scene + " has dimension 2");
+  }
+  if (dimension == 2 && options.volumes) {
+    throw UsageError("--volumes: regions of the plane are always drawn; " + options.scene + " has dimension 2");
+  }
   if (dimension == 3 && picture_format(options.out) == PictureFormat::svg) {
     throw UnsupportedError(options.scene + ": a scene in space is not drawn as .svg; take .png, .html or .gltf");
   }
 }
 
+/// A name that an option may ask for.
+struct KnownName {
+  std::string name;
+};
+
+void require_names(const RenderOptions& options, const ResultNames& names) {
+  const auto known = [](const std::vector<std::string>& list) {
+    return std::vector<KnownName>(list.begin(), list.end());
+  };
+  require_name("--light", "light with results", options.light, known(names.lights));
+  require_name("--receiver", "receiver", options.receiver, known(names.receivers));
+}
+
 ExitCode render_folder(const RenderOptions& options, const PictureOptions& picture) {
-  if (!options.box.empty() || !options.light.empty() || !options.blocker.empty()) {
-    throw UsageError("--box, --light and --blocker choose what is computed of a scene; " + options.scene +
+  if (!options.box.empty() || !options.blocker.empty()) {
+    throw UsageError("--box and --blocker choose what is computed of a scene; " + options.scene +
                      " is a folder of results");
   }
   if (std::error_code error; !fs::exists(fs::path(options.scene) / "manifest.json", error)) {
@@ -134,20 +172,51 @@ ExitCode render_folder(const RenderOptions& options, const PictureOptions& pictu
                      ": the folder holds no manifest.json; expected a folder written by 'gnomon shadow'");
   }
   check_dimension(options, result_dimension(options.scene));
+  require_names(options, result_names(options.scene));
   render_result(options.scene, options.out, picture);
   return ExitCode::done;
+}
+
+/// The light of the picture; empty for all, which only a page can show.
+std::string shown_light(const RenderOptions& options, const Scene& scene) {
+  if (!options.light.empty() || picture_format(options.out) == PictureFormat::html) return options.light;
+  if (scene.dimension == 2) return scene.planar_lights.empty() ? "" : scene.planar_lights.front().name;
+  return scene.lights.empty() ? "" : scene.lights.front().name;
+}
+
+/// Parts of one blocker hide each other, and their umbrae are not the umbra of the whole.
+std::vector<ScenePair> drawn_pairs(const RenderOptions& options, const Scene& scene, std::vector<ScenePair> pairs) {
+  if (scene.dimension == 2 || options.volumes) return pairs;
+  std::erase_if(pairs, [&](const ScenePair& pair) { return pair.blocker != scene.blockers[pair.blocker_index].name; });
+  return pairs;
+}
+
+void warn_of_missing(const std::vector<ScenePair>& all, const std::vector<ScenePair>& drawn,
+                     const ShadowResult& result) {
+  if (supported_count(drawn) < drawn.size()) print_warning(unsupported_text(drawn));
+  if (!all.empty() && drawn.empty() && result.receivers.empty()) {
+    print_warning(
+        "the picture shows no shadow: no receiver is divided, and the volumes of blockers of several convex "
+        "parts are drawn with --volumes only");
+  }
 }
 
 ExitCode render_scene_file(const RenderOptions& options, const PictureOptions& picture) {
   const Scene scene = scene_file_with_warnings(options.scene);
   check_dimension(options, scene.dimension);
-  const std::vector<ScenePair> pairs = scene_pairs(scene, {options.light, options.blocker});
+  const std::string light = shown_light(options, scene);
+  const std::vector<ScenePair> all = scene_pairs(scene, {light, options.blocker});
+  const std::vector<ScenePair> pairs = drawn_pairs(options, scene, all);
   const Box3 box = clip_box(scene, options.box);
-  if (!pairs.empty() && supported_count(pairs) == 0) {
+  const Effort effort{options.threads, !options.quiet};
+  std::vector<ReceiverResult> receivers = receivers_beside_volumes(scene, {light, options.receiver}, effort);
+  if (!pairs.empty() && supported_count(pairs) == 0 && receivers.empty()) {
     throw UnsupportedError(scene.source + ": " + unsupported_text(pairs));
   }
-  render_scene(computed_shadows(scene, pairs, box, {options.threads, !options.quiet}), options.out, picture);
-  if (supported_count(pairs) < pairs.size()) print_warning(unsupported_text(pairs));
+  ShadowResult result = computed_shadows(scene, pairs, box, effort);
+  result.receivers = std::move(receivers);
+  render_scene(result, options.out, picture);
+  warn_of_missing(all, pairs, result);
   return ExitCode::done;
 }
 

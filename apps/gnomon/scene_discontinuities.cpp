@@ -26,26 +26,32 @@ struct Parts {
   std::vector<std::uint32_t> receiver_ids;  ///< of each, its index in Scene::receivers
 };
 
-void require_range(const Scene& scene, const std::string& element, std::span<const Point3> points) {
-  if (std::all_of(points.begin(), points.end(), is_in_event_range)) return;
-  throw UnsupportedError(scene.source + ": " + element +
-                         " has a coordinate that is not zero and smaller than 2^-200 (6.2e-61) or larger than 2^200 "
-                         "(1.6e60); receivers are divided for coordinates in between");
+std::string range_refusal(const std::string& element, std::span<const Point3> points) {
+  if (std::all_of(points.begin(), points.end(), is_in_event_range)) return {};
+  return element +
+         " has a coordinate that is not zero and smaller than 2^-200 (6.2e-61) or larger than 2^200 (1.6e60); "
+         "receivers are divided for coordinates in between";
 }
 
-void require_range(const Scene& scene) {
+/// Why the scene's numbers are not supported; empty if they are.
+std::string range_refusal(const Scene& scene) {
+  std::string refusal;
+  const auto look = [&](const std::string& element, std::span<const Point3> points) {
+    if (refusal.empty()) refusal = range_refusal(element, points);
+  };
   for (const SceneLight& light : scene.lights) {
-    require_range(scene, "light '" + light.name + "'", light_points(light.shape));
+    look("light '" + light.name + "'", light_points(light.shape));
     if (const auto* parallel = std::get_if<DirectionalLight>(&light.shape)) {
-      require_range(scene, "light '" + light.name + "'", {&parallel->direction, 1});
+      look("light '" + light.name + "'", {&parallel->direction, 1});
     }
   }
   for (const SceneBlocker& blocker : scene.blockers) {
-    require_range(scene, "blocker '" + blocker.name + "'", blocker_points(blocker.shape));
+    look("blocker '" + blocker.name + "'", blocker_points(blocker.shape));
   }
   for (const SceneReceiver& receiver : scene.receivers) {
-    require_range(scene, "receiver '" + receiver.name + "'", receiver.shape.points());
+    look("receiver '" + receiver.name + "'", receiver.shape.points());
   }
+  return refusal;
 }
 
 Parts parts_of(const Scene& scene, DiscontinuityResult& result) {
@@ -82,24 +88,51 @@ std::string refusal(const SceneLight& light, const Parts& parts) {
   return {};
 }
 
-/// The lights asked for that are supported, by their index.
-std::vector<std::uint32_t> supported_lights(const Scene& scene, const std::string& name, const Parts& parts) {
-  require_name("--light", "light", name, scene.lights);
+/// The lights asked for that are supported, by their index, and why others are not.
+struct LightChoice {
   std::vector<std::uint32_t> supported;
   std::string reasons;
+};
+
+LightChoice light_choice(const Scene& scene, const std::string& name, const Parts& parts) {
+  require_name("--light", "light", name, scene.lights);
+  LightChoice choice;
   for (std::uint32_t l = 0; l < scene.lights.size(); ++l) {
     const SceneLight& light = scene.lights[l];
     if (!is_asked_for(name, light.name)) continue;
     const std::string reason = refusal(light, parts);
     if (reason.empty()) {
-      supported.push_back(l);
+      choice.supported.push_back(l);
     } else {
-      reasons += (reasons.empty() ? "light '" : "; light '") + light.name + "': " + reason;
+      choice.reasons += (choice.reasons.empty() ? "light '" : "; light '") + light.name + "': " + reason;
     }
   }
-  if (supported.empty() && !reasons.empty()) throw UnsupportedError(scene.source + ": " + reasons);
-  if (!reasons.empty()) print_warning(reasons);
-  return supported;
+  return choice;
+}
+
+/// The lights asked for that are supported; the others are warned of.
+std::vector<std::uint32_t> supported_lights(const Scene& scene, const std::string& name, const Parts& parts) {
+  LightChoice choice = light_choice(scene, name, parts);
+  if (choice.supported.empty() && !choice.reasons.empty()) throw UnsupportedError(scene.source + ": " + choice.reasons);
+  if (!choice.reasons.empty()) print_warning(choice.reasons);
+  return std::move(choice.supported);
+}
+
+bool is_chosen(const SceneReceiver& receiver, const std::string& name) {
+  return name.empty() || receiver.is_called(name);
+}
+
+/// Why nothing that is asked for can be divided; empty if something can.
+std::string division_refusal(const Scene& scene, const ReceiverSelection& selection) {
+  const std::string range = range_refusal(scene);
+  if (!range.empty()) return range;
+  DiscontinuityResult unused{&scene, {}, {}, {}};
+  const LightChoice choice = light_choice(scene, selection.light, parts_of(scene, unused));
+  if (choice.supported.empty() && !choice.reasons.empty()) return choice.reasons;
+  const bool any = std::any_of(scene.receivers.begin(), scene.receivers.end(), [&](const SceneReceiver& receiver) {
+    return is_chosen(receiver, selection.receiver) && receiver.shape.is_flat();
+  });
+  return any ? "" : "no receiver asked for has exactly coplanar vertices";
 }
 
 /// Runs `work(i)` for all i below n, on as many threads as are asked for.
@@ -123,13 +156,14 @@ DiscontinuityResult divided_receivers(const Scene& scene, const ReceiverSelectio
   using enum Progress::Visibility;
   DiscontinuityResult result{&scene, {}, {}, {}};
   const Parts parts = parts_of(scene, result);
-  require_range(scene);
+  if (const std::string refusal = range_refusal(scene); !refusal.empty()) {
+    throw UnsupportedError(scene.source + ": " + refusal);
+  }
   require_receiver("--receiver", selection.receiver, scene.receivers);
   const std::vector<std::uint32_t> lights = supported_lights(scene, selection.light, parts);
   std::vector<std::uint32_t> chosen;
   for (std::uint32_t r = 0; r < parts.receivers.size(); ++r) {
-    const SceneReceiver& receiver = scene.receivers[parts.receiver_ids[r]];
-    if (selection.receiver.empty() || receiver.is_called(selection.receiver)) chosen.push_back(r);
+    if (is_chosen(scene.receivers[parts.receiver_ids[r]], selection.receiver)) chosen.push_back(r);
   }
   if (chosen.empty() && !scene.receivers.empty()) {
     throw UnsupportedError(scene.source + ": no receiver asked for has exactly coplanar vertices");
@@ -153,6 +187,17 @@ DiscontinuityResult divided_receivers(const Scene& scene, const ReceiverSelectio
     for (auto& one : made) result.receivers.push_back(std::move(*one));
   }
   return result;
+}
+
+std::vector<ReceiverResult> receivers_beside_volumes(const Scene& scene, const ReceiverSelection& selection,
+                                                     const Effort& effort) {
+  require_receiver("--receiver", selection.receiver, scene.receivers);
+  if (scene.dimension != 3 || scene.receivers.empty() || scene.lights.empty()) return {};
+  if (const std::string refusal = division_refusal(scene, selection); !refusal.empty()) {
+    print_warning("receivers are not divided into regions: " + refusal);
+    return {};
+  }
+  return divided_receivers(scene, selection, VertexFractions::left_out, effort).receivers;
 }
 
 DiscontinuityResult scene_surfaces(const Scene& scene, const std::string& light, const Box3& box,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "apps/gnomon/computed_shadows.h"
 #include "viz/discontinuity_result.h"
@@ -23,6 +24,12 @@ enum class VertexFractions { left_out, worked_out };
 ///           is not supported beside others is warned of.
 DiscontinuityResult divided_receivers(const Scene& scene, const ReceiverSelection& selection, VertexFractions fractions,
                                       const Effort& effort);
+
+/// The same for pictures and beside volumes: whatever is not supported is left out, with a warning.
+///
+/// Throws: UsageError for a name that the scene does not have.
+std::vector<ReceiverResult> receivers_beside_volumes(const Scene& scene, const ReceiverSelection& selection,
+                                                     const Effort& effort);
 
 /// The discontinuity surfaces of every light asked for, cut by a box.
 ///

@@ -109,8 +109,12 @@ Json scene_document(const Scene& scene) {
   for (const PlanarBlocker& receiver : scene.planar_receivers) {
     receivers.push_back(named(receiver.name, planar_chain(receiver)));
   }
-  return {{"gnomon", 1},      {"dimension", scene.dimension}, {"length_unit", scene.length_unit},
-          {"lights", lights}, {"blockers", blockers},         {"receivers", receivers}};
+  nlohmann::ordered_json document = {{"gnomon", 1}, {"dimension", scene.dimension}, {"length_unit", scene.length_unit}};
+  if (scene.up == UpAxis::y) document["up"] = "y";
+  document["lights"] = lights;
+  document["blockers"] = blockers;
+  document["receivers"] = receivers;
+  return document;
 }
 
 }  // namespace gnomon

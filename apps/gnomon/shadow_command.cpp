@@ -14,6 +14,7 @@
 #include "apps/gnomon/console.h"
 #include "apps/gnomon/merged_shadows.h"
 #include "apps/gnomon/output_place.h"
+#include "apps/gnomon/scene_discontinuities.h"
 #include "apps/gnomon/scene_input.h"
 #include "apps/gnomon/scene_pairs.h"
 #include "apps/gnomon/shadow_json.h"
@@ -49,6 +50,7 @@ void add_options(CLI::App& app, ShadowOptions& options) {
            "DIR/shadow.pvd: CSV with the header x,y,z (x,y in the plane), then a position of the light's first vertex "
            "a line");
   app.footer(
+      "Receivers are divided into the exact regions of each light asked for behind all blockers together.\n\n"
       "Examples:\n"
       "  gnomon shadow --out shadow_of_default\n"
       "  gnomon shadow examples/cornell_box.scene.json --blocker short_top --json -\n");
@@ -109,6 +111,7 @@ ExitCode write_all(const ShadowOptions& options, const std::vector<OutputFormat>
   if (options.merge) result.merged = merged_shadows(scene, pairs, box, effort);
   std::vector<fs::path> files;
   if (!options.out.empty()) {
+    result.receivers = receivers_beside_volumes(scene, {options.light, {}}, effort);
     files = write_shadow(result, options.out, {output_formats});
     warn_of_outdated_results(options.out);
   }

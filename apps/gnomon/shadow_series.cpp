@@ -7,6 +7,7 @@
 #include "apps/gnomon/console.h"
 #include "apps/gnomon/element_choice.h"
 #include "apps/gnomon/light_path.h"
+#include "apps/gnomon/scene_discontinuities.h"
 #include "apps/gnomon/scene_pairs.h"
 #include "apps/gnomon/shadow_summary.h"
 #include "apps/gnomon/text.h"
@@ -67,7 +68,9 @@ WrittenSeries write_shadow_series(const Scene& scene, const CommonOptions& optio
     const std::vector<ScenePair> pairs = scene_pairs(moved, {light, options.blocker});
     pair_count += pairs.size();
     written.unsupported_pairs += pairs.size() - supported_count(pairs);
-    writer.add(static_cast<double>(written.steps++), computed_shadows(moved, pairs, box, {options.threads, false}));
+    ShadowResult result = computed_shadows(moved, pairs, box, {options.threads, false});
+    result.receivers = receivers_beside_volumes(moved, {light, {}}, {options.threads, false});
+    writer.add(static_cast<double>(written.steps++), result);
     progress.step();
   }
   if (pair_count > 0 && written.unsupported_pairs == pair_count) {

@@ -75,6 +75,9 @@ struct PlanarBlocker {
   std::vector<Point2> vertices;  ///< two: a segment; more: a polyline of consecutive segments
 };
 
+/// The axis that points up in pictures; nothing else asks for it.
+enum class UpAxis { z, y };
+
 /// A checked scene file. In dimension 3 the spatial lists are filled, in dimension 2 the planar ones.
 struct Scene {
   std::string source;  ///< the file as the user named it, or "default" for the embedded scene
@@ -87,6 +90,7 @@ struct Scene {
   std::vector<PlanarBlocker> planar_blockers;
   std::vector<PlanarBlocker> planar_receivers;
   std::vector<std::string> doubts;  ///< accepted, but worth a word: one sentence each, as `gnomon check` prints them
+  UpAxis up = UpAxis::z;            ///< in pictures of space
 };
 
 /// The box by which unbounded volumes are cut unless the user gives one: the bounding box of everything in the scene,

@@ -42,6 +42,16 @@ std::string length_unit(const JsonNode& document) {
   return unit;
 }
 
+/// Pictures of the plane lie as they are, so the key is none of theirs.
+UpAxis up_axis(const JsonNode& document) {
+  constexpr const char* expected = "\"z\" or \"y\", the axis that points up in pictures";
+  const auto node = document.optional("up");
+  if (!node) return UpAxis::z;
+  const std::string axis = node->string(expected);
+  if (axis != "z" && axis != "y") node->refuse_value(expected);
+  return axis == "z" ? UpAxis::z : UpAxis::y;
+}
+
 std::vector<SceneElement> required_elements(const JsonNode& document, std::string_view list) {
   return scene_elements(document.required(list, "an array of " + std::string(list)), list);
 }
@@ -57,7 +67,13 @@ Scene read_document(const JsonNode& document, const std::filesystem::path& folde
   if (const auto schema = document.optional("$schema")) schema->string("the address of a JSON Schema (a string)");
   Scene scene;
   scene.dimension = dimension(document);
-  document.allow_keys({"$schema", "gnomon", "dimension", "length_unit", "lights", "blockers", "receivers"}, "a scene");
+  if (scene.dimension == 2) {
+    document.allow_keys({"$schema", "gnomon", "dimension", "length_unit", "lights", "blockers", "receivers"},
+                        "a scene of the plane");
+  } else {
+    document.allow_keys({"$schema", "gnomon", "dimension", "length_unit", "up", "lights", "blockers", "receivers"}, "a scene");
+    scene.up = up_axis(document);
+  }
   scene.length_unit = length_unit(document);
   const std::vector<SceneElement> lights = required_elements(document, "lights");
   const std::vector<SceneElement> blockers = required_elements(document, "blockers");

@@ -92,6 +92,17 @@ TEST_F(HtmlPage, KeepsNamesThatLookLikeMarkupInTheirPlace) {
   EXPECT_THAT(labels, Contains(name));
 }
 
+TEST_F(HtmlPage, HoldsNoMarkupInsideItsScene) {
+  for (const std::string name : {"<!--<script>", "<!--", "<script>", "</script", "]]>", "<SCRIPT/>"}) {
+    const std::string page = page_of(SampleResult(name, "table").result());
+    const std::string open = "<script id=\"scene\" type=\"application/json\">";
+    const std::size_t start = page.find(open) + open.size();
+    const std::string scene = page.substr(start, page.find("</script>", start) - start);
+    EXPECT_THAT(scene, Not(HasSubstr("<"))) << name;
+    EXPECT_EQ(nlohmann::json::parse(scene).at("lights").at(0), name);
+  }
+}
+
 TEST_F(HtmlPage, OfThePlaneIsTheDrawing) {
   EXPECT_THAT(page_of(PlanarSample().result()), AllOf(HasSubstr("<svg "), HasSubstr("supporting line: ")));
 }

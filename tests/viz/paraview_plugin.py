@@ -24,18 +24,28 @@ def opened(scene):
     return reader
 
 
+def expect(reader, expected):
+    reader.UpdatePipeline()
+    found = set(names(reader.GetClientSideObject().GetOutputDataObject(0)))
+    if found != expected:
+        sys.exit(f"blocks: found {sorted(found)}, expected {sorted(expected)}")
+
+
 def main(plugin, scene):
     simple.LoadPlugin(plugin, remote=False, ns=globals())
     reader = opened(scene)
-    found = set(names(reader.GetClientSideObject().GetOutputDataObject(0)))
-    expected = {"scene/lights/lamp", "scene/blockers/board", "scene/receivers/floor", "volumes/lamp/board/occlusion",
-                "volumes/lamp/board/umbra", "volumes/lamp/board/penumbra", "solids/lamp/board/umbra",
-                "solids/lamp/board/penumbra", "extremal_planes/lamp/board"}
-    if found != expected:
-        sys.exit(f"blocks: found {sorted(found)}, expected {sorted(expected)}")
+    useful = {"scene/lights/lamp", "scene/blockers/board", "volumes/lamp/board/umbra", "volumes/lamp/board/penumbra",
+              "receivers/lamp/floor/faces"}
+    expect(reader, useful)
     simple.Show(reader)
     simple.Render()
-    print("opened by the plugin:", len(found), "blocks")
+    reader.Occlusion = 1
+    expect(reader, useful | {"volumes/lamp/board/occlusion"})
+    reader.Occlusion = 0
+    reader.ExtremalPlanes = 1
+    reader.Solids = 1
+    expect(reader, useful | {"extremal_planes/lamp/board", "solids/lamp/board/umbra", "solids/lamp/board/penumbra"})
+    print("opened by the plugin:", len(useful), "blocks at first sight")
 
 
 main(*sys.argv[1:])

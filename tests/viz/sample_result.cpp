@@ -1,7 +1,10 @@
 #include "tests/viz/sample_result.h"
 
 #include <array>
+#include <utility>
 #include <vector>
+
+#include "geometry/scene/convex_parts.h"
 
 namespace gnomon {
 namespace {
@@ -117,6 +120,14 @@ SampleResult::SampleResult(const std::string& light, const std::string& blocker)
   pair.volumes.penumbra_facts = {false, false, 1};
   result_.pairs.push_back(pair);
 
+  std::vector<ConvexBlocker> parts;
+  for (const SceneBlocker& whole : scene_.blockers) {
+    for (ConvexPart& part : convex_parts(whole)) parts.push_back(std::move(part.shape));
+  }
+  const std::vector<ConvexPolygon> receivers = {scene_.receivers[0].shape};
+  result_.receivers.push_back(
+      {0, 0, light, "floor", receiver_meshes(scene_.lights[0].shape, parts, receivers).front()});
+
   PairResult unsupported;
   unsupported.light = light;
   unsupported.blocker = "post";
@@ -125,6 +136,7 @@ SampleResult::SampleResult(const std::string& light, const std::string& blocker)
 }
 
 void remove_umbra(ShadowResult& result) {
+  result.receivers.clear();
   for (PairResult& pair : result.pairs) {
     pair.meshes.umbra = {};
     pair.meshes.umbra_cells = {};

@@ -49,7 +49,7 @@ std::size_t files_in(const fs::path& folder) {
 }
 
 void expect_sample_in(const fs::path& folder) {
-  EXPECT_EQ(read_multiblock(folder / "shadow.vtm").blocks.size(), 10u);
+  EXPECT_EQ(read_multiblock(folder / "shadow.vtm").blocks.size(), 11u);
   EXPECT_EQ(read_json(folder / "manifest.json").at("pairs").size(), 2u);
 }
 

@@ -14,6 +14,7 @@
 #include "tests/viz/planar_sample.h"
 #include "tests/viz/temporary_folder.h"
 #include "viz/picture.h"
+#include "viz/picture_selection.h"
 #include "viz/shadow_writer.h"
 
 namespace gnomon::viz {
@@ -36,7 +37,8 @@ std::vector<std::string> titles(vtkXMLDataElement& svg) {
 }
 
 std::string svg_of(const PictureSource& source) {
-  return svg_text(planar_drawing(source, {400, 300}, Shown::yes), {source.title, planar_legend(source)});
+  const PictureSource shown = selected(source, {}, LightsShown::first);
+  return svg_text(planar_drawing(shown, {400, 300}, Shown::yes), {shown.title, planar_legend(shown)});
 }
 
 TEST(Svg, OfThePlaneIsXmlThatNamesElementsAndLines) {
@@ -54,13 +56,13 @@ TEST(Svg, HoldsEveryPointOfARegionWhereItBelongs) {
   PictureSource source;
   source.dimension = 2;
   source.clip_box = {{-10, -5, 0}, {10, 5, 0}};
-  const PlanarDrawing drawing{source.clip_box, {200, 100}, 0.1, {Fill{{{{-10, -5, 0}, {10, -5, 0}, {0, 5, 0}}}, {}}}};
+  const PlanarDrawing drawing{source.clip_box, {200, 100}, 0.1, {{Fill{{{{-10, -5, 0}, {10, -5, 0}, {0, 5, 0}}}, {}}}}};
   EXPECT_THAT(svg_text(drawing, {}), HasSubstr("d=\"M0 100L200 100L100 0Z\""));
 }
 
 TEST(Svg, EscapesNames) {
   const PlanarDrawing drawing{
-      {{-1, -1, 0}, {1, 1, 0}}, {100, 100}, 0.02, {Disc{{0, 0, 0}, 4, {}, "a<b>&\"c\""}, Words{{}, "<&>", {}}}};
+      {{-1, -1, 0}, {1, 1, 0}}, {100, 100}, 0.02, {{Disc{{0, 0, 0}, 4, {}, "a<b>&\"c\""}}, {Words{{}, "<&>", {}}}}};
   const std::string text = svg_text(drawing, {"<title>", {{"&", {}}}});
   const auto svg = parsed(text);
   ASSERT_NE(svg, nullptr) << text;

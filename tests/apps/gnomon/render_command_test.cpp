@@ -101,11 +101,71 @@ TEST_F(RenderCommand, EndsWith4WhereNoPairIsSupported) {
   EXPECT_EQ(gnomon("render bent_shelf.scene.json --out shelf.png").code, 4);
 }
 
-TEST_F(RenderCommand, RefusesToChoosePairsOfAFinishedResult) {
+TEST_F(RenderCommand, RefusesToChooseWhatIsComputedOfAFinishedResult) {
   ASSERT_EQ(gnomon("shadow table.scene.json --out shadows --quiet").code, 0);
-  const Outcome run = gnomon("render shadows --light lamp --out shadows.png");
-  EXPECT_EQ(run.code, 2);
-  EXPECT_THAT(run.err, HasSubstr("--light"));
+  for (const std::string option : {"--box 0,0,0,1,1,1", "--blocker table"}) {
+    const Outcome run = gnomon("render shadows --out shadows.gltf " + option);
+    EXPECT_EQ(run.code, 2);
+    EXPECT_THAT(run.err, HasSubstr("--blocker"));
+  }
+}
+
+TEST_F(RenderCommand, NamesTheLightsAndReceiversThereAreWhereAnotherIsAskedFor) {
+  ASSERT_EQ(gnomon("shadow examples/figure_4_22.scene.json --out shadows --quiet").code, 0);
+  for (const std::string drawn : {"shadows", "examples/figure_4_22.scene.json"}) {
+    const Outcome light = gnomon("render " + drawn + " --light sun --out a.gltf");
+    EXPECT_EQ(light.code, 2);
+    EXPECT_THAT(light.err, AllOf(HasSubstr("--light"), HasSubstr("'sun'"), HasSubstr("'lamp'")));
+    const Outcome receiver = gnomon("render " + drawn + " --receiver wall --out a.gltf");
+    EXPECT_EQ(receiver.code, 2);
+    EXPECT_THAT(receiver.err, AllOf(HasSubstr("--receiver"), HasSubstr("'wall'"), HasSubstr("'floor'")));
+    EXPECT_EQ(gnomon("render " + drawn + " --light lamp --receiver floor --out a.gltf").code, 0);
+  }
+}
+
+TEST_F(RenderCommand, RefusesAnUpThatIsNoneOrHasNoMeaning) {
+  EXPECT_EQ(gnomon("render table.scene.json --up y --out table.gltf").code, 0);
+  for (const std::string wrong :
+       {"table.scene.json --up x", "table.scene.json --up Z", "examples/figure_4_17.scene.json --up z"}) {
+    const Outcome run = gnomon("render " + wrong + " --out a.gltf");
+    EXPECT_EQ(run.code, 2) << wrong;
+    EXPECT_THAT(run.err, HasSubstr("--up")) << wrong;
+  }
+  EXPECT_EQ(gnomon("render examples/figure_4_17.scene.json --volumes --out a.gltf").code, 2);
+}
+
+TEST_F(RenderCommand, ShowsOneLightAndOnAPageAll) {
+  const auto nodes = [&](const std::string& options) {
+    EXPECT_EQ(gnomon("render examples/two_lamps.scene.json --out lamps.gltf " + options).code, 0);
+    std::vector<std::string> names;
+    for (const auto& node : read_json("lamps.gltf").at("nodes")) names.push_back(node.at("name"));
+    return names;
+  };
+  using testing::Contains;
+  using testing::Not;
+  EXPECT_THAT(nodes(""), AllOf(Contains("scene/lights/left"), Not(Contains(HasSubstr("right")))));
+  EXPECT_THAT(nodes("--light right"), AllOf(Contains("scene/lights/right"), Not(Contains(HasSubstr("left")))));
+  EXPECT_EQ(gnomon("render examples/two_lamps.scene.json --out lamps.html").code, 0);
+  EXPECT_THAT(read("lamps.html"), HasSubstr("\"lights\":[\"left\",\"right\"]"));
+}
+
+TEST_F(RenderCommand, DrawsVolumesOfPartsOnlyWhereTheyAreAskedFor) {
+  const std::string scene = "examples/letter_block.scene.json";
+  EXPECT_EQ(gnomon("render " + scene + " --out block.gltf").code, 0);
+  EXPECT_THAT(read("block.gltf"), AllOf(HasSubstr("\"receivers/"), testing::Not(HasSubstr("\"volumes/"))));
+  EXPECT_EQ(gnomon("render " + scene + " --volumes --out block.gltf").code, 0);
+  EXPECT_THAT(read("block.gltf"), HasSubstr("\"volumes/"));
+}
+
+TEST_F(RenderCommand, WarnsOfReceiversThatAreNotDividedAndDrawsThemAsNone) {
+  write("bent.scene.json", R"({"gnomon": 1, "dimension": 3,
+    "lights": [{"name": "lamp", "shape": "polygon", "vertices": [[-1,-1,4], [-1,1,4], [1,1,4], [1,-1,4.000000000001]]}],
+    "blockers": [{"name": "table", "shape": "polygon", "vertices": [[-2,-2,2], [2,-2,2], [2,2,2], [-2,2,2]]}],
+    "receivers": [{"name": "floor", "shape": "polygon", "vertices": [[-9,-9,0], [9,-9,0], [9,9,0], [-9,9,0]]}]})");
+  const Outcome run = gnomon("render bent.scene.json --out bent.gltf");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_THAT(run.err, AllOf(HasSubstr("receivers are not divided"), HasSubstr("not exactly coplanar")));
+  EXPECT_THAT(read("bent.gltf"), testing::Not(HasSubstr("\"receivers/")));
 }
 
 }  // namespace

@@ -169,6 +169,21 @@ TEST(SceneReader, DoubtsWhatLooksLikeAMistake) {
   EXPECT_EQ(scene.doubts.size(), 4u);
 }
 
+TEST(SceneReader, TakesZToBeUpUnlessTheSceneSaysYAndRefusesOtherAxesByName) {
+  const auto scene = [](const std::string& keys) {
+    return R"({"gnomon": 1, )" + keys + R"( "lights": [], "blockers": []})";
+  };
+  EXPECT_EQ(parse_scene(scene(R"("dimension": 3,)"), "a", {}).up, UpAxis::z);
+  EXPECT_EQ(parse_scene(scene(R"("dimension": 3, "up": "z",)"), "a", {}).up, UpAxis::z);
+  EXPECT_EQ(parse_scene(scene(R"("dimension": 3, "up": "y",)"), "a", {}).up, UpAxis::y);
+  for (const std::string wrong : {R"("x")", R"("Y")", R"("")", "1", "[0,0,1]", "null"}) {
+    EXPECT_THAT(message_of(scene(R"("dimension": 3, "up": )" + wrong + ",")),
+                AllOf(HasSubstr("/up"), HasSubstr("\"z\" or \"y\"")))
+        << wrong;
+  }
+  EXPECT_THAT(message_of(scene(R"("dimension": 2, "up": "y",)")), AllOf(HasSubstr("/up"), HasSubstr("of the plane")));
+}
+
 TEST(SceneReader, AcceptsASceneOfNothingWithDoubts) {
   EXPECT_THAT(good_scene("nothing_in_it").doubts, ElementsAre(HasSubstr("no light"), HasSubstr("no blocker")));
 }

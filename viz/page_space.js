@@ -1,4 +1,4 @@
-// Shows the scene that the page carries: turns with the mouse, names what lies under it.
+// Shows the scene of space that the page carries: turns with the mouse, names what lies under it.
 (function () {
   "use strict";
   const data = JSON.parse(document.getElementById("scene").textContent);
@@ -11,9 +11,6 @@
   }
   function vector(p) {
     return new THREE.Vector3(p[0], p[1], p[2]);
-  }
-  function css(color) {
-    return "rgb(" + color.map(function (c) { return Math.round(255 * c); }).join(",") + ")";
   }
 
   let renderer;
@@ -144,21 +141,58 @@
   // --- camera ---------------------------------------------------------------------------------------------------------
 
   const camera = new THREE.PerspectiveCamera(data.view.angle, 1, 1, 10);
-  camera.up.copy(vector(data.view.up));
-  camera.position.copy(vector(data.view.position));
+  const start = vector(data.view.position);
+  const focus = vector(data.view.focus);
+  camera.up.copy(vector(data.view.axis)); // the axis about which a drag turns
+  // Seen along the axis, what is up on the screen is told by a place a little aside.
+  if (start.clone().sub(focus).cross(camera.up).length() < 1e-3 * start.distanceTo(focus)) {
+    start.addScaledVector(vector(data.view.up), -1e-3 * start.distanceTo(focus));
+  }
+  camera.position.copy(start);
   const controls = new THREE.OrbitControls(camera, canvas);
-  controls.target.copy(vector(data.view.focus));
+  controls.enableKeys = false; // they would move, and know no other key
+  controls.target.copy(focus);
   controls.update();
+
+  function reset() {
+    controls.target.copy(focus);
+    camera.position.copy(start);
+    controls.update();
+    draw();
+  }
+  function turn(right, up) {
+    const step = Math.PI / 36;
+    const away = camera.position.clone().sub(controls.target);
+    const axis = camera.up.clone().normalize();
+    const aside = axis.clone().cross(away).normalize();
+    const slope = away.angleTo(axis) - up * step;
+    if (slope > 0.01 && slope < Math.PI - 0.01) away.applyAxisAngle(aside, -up * step);
+    camera.position.copy(controls.target).add(away.applyAxisAngle(axis, right * step));
+    controls.update();
+  }
+  function zoom(factor) {
+    camera.position.sub(controls.target).divideScalar(factor).add(controls.target);
+    controls.update();
+  }
 
   function isBehind(front) {
     return camera.position.clone().sub(vector(front.origin)).dot(vector(front.normal)) <= 0;
   }
+  // The place of what stands in the upper right corner, whatever is seen.
+  function corner(down) {
+    const height = canvas.clientHeight, width = canvas.clientWidth;
+    const depth = new THREE.Vector3(0, 0, -1.5 * camera.near).applyMatrix4(camera.projectionMatrix).z;
+    return new THREE.Vector3(1 - 0.2 * height / width, 1 - 2 * down, depth).unproject(camera);
+  }
   function place(mesh) {
     const item = mesh.userData.item;
-    if (!item.front) return;
-    const behind = isBehind(item.front);
-    if (mesh.userData.isSurface) mesh.visible = !behind;
-    else mesh.material.uniforms.opacity.value = behind ? 0.35 : item.opacity;
+    const behind = Boolean(item.front) && isBehind(item.front);
+    mesh.visible = panel.isOn(item.layer, item.light) && !(behind && mesh.userData.isSurface);
+    if (!mesh.userData.isSurface) mesh.material.uniforms.opacity.value = behind ? 0.35 : item.opacity;
+    if (!item.corner) return;
+    mesh.position.copy(corner(0.1));
+    mesh.scale.setScalar(0.12 * 2 * Math.tan(Math.PI / 360 * data.view.angle) * 1.5 * camera.near);
+    mesh.updateMatrixWorld();
   }
 
   // --- drawing --------------------------------------------------------------------------------------------------------
@@ -196,8 +230,13 @@
     target.depthTexture = new THREE.DepthTexture(width, height, THREE.UnsignedIntType);
     return target;
   }
+  // A texture that is drawn into must not be read from, not even by name: WebGL then draws nothing.
+  function unbind() {
+    peeling.opaqueDepth.value = peeling.peeledDepth.value = shown.value = nothing;
+  }
   function resize() {
-    const width = canvas.clientWidth, height = canvas.clientHeight;
+    const width = Math.max(1, canvas.clientWidth), height = Math.max(1, canvas.clientHeight);
+    unbind();
     renderer.setPixelRatio(Math.max(2, window.devicePixelRatio || 1)); // averaged by the browser: smooth edges
     renderer.setSize(width, height, false);
     renderer.getDrawingBufferSize(peeling.resolution.value);
@@ -216,6 +255,7 @@
   function drawPeeled() {
     const solid = targets[0], sum = targets[1], layers = [targets[2], targets[3]];
     peeling.pass.value = -1;
+    unbind();
     clear(solid, 1);
     renderer.render(opaque, camera);
     clear(sum, 0);
@@ -245,6 +285,8 @@
     renderer.render(translucent, camera);
   }
   function draw() {
+    document.documentElement.removeAttribute("data-drawn");
+    camera.updateMatrixWorld();
     const away = camera.position.distanceTo(controls.target);
     camera.near = Math.max(0.02 * away, away - 3 * data.size);
     camera.far = away + 4 * data.size;
@@ -256,42 +298,110 @@
     });
     canPeel ? drawPeeled() : drawSorted();
     placeLabels();
+    clearTimeout(resting);
+    resting = setTimeout(rest, 100);
+  }
+  // What takes a moment waits until the picture rests.
+  let resting = 0;
+  function rest() {
+    findAnchors();
+    placeLabels();
     document.documentElement.setAttribute("data-drawn", "yes");
   }
 
   // --- words ----------------------------------------------------------------------------------------------------------
 
+  const raycaster = new THREE.Raycaster();
+  const leaders = document.getElementById("leaders");
   const labels = data.labels.map(function (label) {
     const element = document.createElement("div");
     element.className = "label";
     element.textContent = label.text;
     document.body.appendChild(element);
-    return {element: element, at: vector(label.at), front: label.front};
+    const leader = document.createElementNS(leaders.namespaceURI, "line");
+    leaders.appendChild(leader);
+    return {element: element, leader: leader, data: label, places: label.places.map(vector), at: null,
+            width: element.offsetWidth, height: element.offsetHeight};
   });
-  function placeLabels() {
+  // A place is seen if nothing opaque stands before it.
+  function isSeen(place, before) {
+    const way = place.clone().sub(camera.position);
+    raycaster.set(camera.position, way.clone().normalize());
+    raycaster.far = way.length() - 2e-3 * data.size;
+    return raycaster.intersectObjects(before).length === 0;
+  }
+  // Each name stands on its own element, at the first place of it that is seen.
+  function findAnchors() {
+    const before = meshes.filter(function (mesh) {
+      return mesh.visible && mesh.userData.isSurface && mesh.userData.item.opacity === 1 && !mesh.userData.item.corner;
+    });
     labels.forEach(function (label) {
-      const p = label.at.clone().project(camera);
-      label.element.style.left = (p.x + 1) / 2 * canvas.clientWidth + "px";
-      label.element.style.top = (1 - p.y) / 2 * canvas.clientHeight + "px";
-      label.element.style.display = p.z < 1 && !(label.front && isBehind(label.front)) ? "block" : "none";
+      label.at = label.places.find(function (place) { return isSeen(place, before); }) || null;
+    });
+    raycaster.far = Infinity;
+  }
+  function inPixels(place) {
+    const p = place.clone().project(camera);
+    if (p.z >= 1) return null;
+    return {x: (p.x + 1) / 2 * canvas.clientWidth, y: (1 - p.y) / 2 * canvas.clientHeight};
+  }
+  // What overlaps is pushed apart along the shorter way; what still does then is left out.
+  function pushApart(boxes, width, height) {
+    function overlap(a, b) {
+      const x = (a.width + b.width) / 2 - Math.abs(a.x - b.x), y = (a.height + b.height) / 2 - Math.abs(a.y - b.y);
+      return x > 0.01 && y > 0.01 ? {x: x, y: y} : null;
+    }
+    for (let round = 0, moved = true; moved && round < 100; ++round) {
+      moved = false;
+      boxes.forEach(function (a, i) {
+        boxes.slice(i + 1).forEach(function (b) {
+          const both = overlap(a, b);
+          if (!both) return;
+          const way = both.y <= both.x ? "y" : "x";
+          const half = (both[way] + 0.1) / 2 * (a[way] <= b[way] ? -1 : 1);
+          a[way] += half;
+          b[way] -= half;
+          moved = true;
+        });
+      });
+      boxes.forEach(function (box) {
+        box.x = Math.max(box.width / 2, Math.min(width - box.width / 2, box.x));
+        box.y = Math.max(box.height / 2, Math.min(height - box.height / 2, box.y));
+      });
+    }
+    return boxes.filter(function (a, i) {
+      return !boxes.slice(0, i).some(function (b) { return overlap(a, b); });
     });
   }
-  data.legend.forEach(function (entry) {
-    const line = document.createElement("li");
-    const mark = document.createElement("span");
-    mark.className = entry.mark;
-    mark.style.background = mark.style.borderTopColor = css(entry.color);
-    line.appendChild(mark);
-    line.appendChild(document.createTextNode(entry.text));
-    document.getElementById("legend").appendChild(line);
-  });
+  function labelBox(label) {
+    const use = label.data;
+    if (!panel.isOn(use.layer, use.light) || (use.front && isBehind(use.front))) return null;
+    const at = use.corner ? inPixels(corner(0.19)) : label.at && inPixels(label.at);
+    return at && {x: at.x, y: at.y, from: at, width: label.width, height: label.height, label: label};
+  }
+  function placeLabels() {
+    labels.forEach(function (label) { label.element.style.display = label.leader.style.display = "none"; });
+    const inside = labels.map(labelBox).filter(function (box) {
+      return box && box.x >= 0 && box.x <= canvas.clientWidth && box.y >= 0 && box.y <= canvas.clientHeight;
+    });
+    pushApart(inside, canvas.clientWidth, canvas.clientHeight).forEach(function (box) {
+      const element = box.label.element, leader = box.label.leader;
+      element.style.left = box.x + "px";
+      element.style.top = box.y + "px";
+      element.style.display = "block";
+      if (Math.abs(box.y - box.from.y) < box.height / 2 && Math.abs(box.x - box.from.x) < box.width / 2) return;
+      [["x1", box.from.x], ["y1", box.from.y], ["x2", box.x], ["y2", box.y]].forEach(function (end) {
+        leader.setAttribute(end[0], end[1]);
+      });
+      leader.style.display = "inline";
+    });
+  }
 
   function nameOf(hit) {
     const use = hit.object.userData;
     const plane = use.cells.length ? use.item.names[use.cells[hit.faceIndex]] : "";
     return plane ? use.item.name + ": " + plane : use.item.name;
   }
-  const raycaster = new THREE.Raycaster();
   function point(event) {
     const box = canvas.getBoundingClientRect();
     const at = new THREE.Vector2(2 * (event.clientX - box.left) / box.width - 1,
@@ -312,6 +422,7 @@
     tip.style.top = Math.min(event.clientY + 14, canvas.clientHeight - tip.offsetHeight - 8) + "px";
   }
 
+  const panel = gnomonPanel(data, {changed: draw, reset: reset, turn: turn, zoom: zoom});
   controls.addEventListener("change", draw);
   canvas.addEventListener("mousemove", point);
   canvas.addEventListener("mouseleave", function () { tip.style.display = "none"; });
