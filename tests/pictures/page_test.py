@@ -58,7 +58,7 @@ PAGES = {
     "a mesh": (scene([lamp("lamp", 1, 5)], [{"name": "wedge", "shape": "mesh", "file": "wedge.obj"}]), None, ""),
     "a mesh with its volumes": (scene([lamp("lamp", 1, 5)], [{"name": "wedge", "shape": "mesh", "file": "wedge.obj"}]),
                                 None, "--volumes"),
-    "names that look like markup": (scene([lamp("<!--<script>", 1, 4)], [polygon("</script>", square(2, 2))]), None, ""),
+    "names that look like markup": (scene([lamp("<!--<script>", 1, 4)], [polygon("<b>&amp;]]>", square(2, 2))]), None, ""),
     "a folder of shadow": (scene([lamp("lamp", 1, 4)], [TABLE]), "shadow", ""),
     "a folder of receivers": (scene([lamp("left", 1, 4, -3), lamp("right", 1, 4, 3)], [TABLE], WALLS), "receivers", ""),
     "a folder of discontinuities": (scene([lamp("lamp", 1, 4)], [TABLE]), "discontinuities", ""),
