@@ -164,7 +164,7 @@ std::vector<Block> shadow_blocks(const ShadowResult& result) {
   for (const auto append : {append_solids, append_planes}) {
     for (const PairResult* pair : pairs) append(blocks, result, *pair);
   }
-  for (const ReceiverResult& receiver : result.receivers) append_receiver_faces(blocks, result, receiver);
+  for (const SideResult side : sides_of(result.receivers)) append_receiver_faces(blocks, result, side);
   return blocks;
 }
 

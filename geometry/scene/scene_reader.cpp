@@ -71,7 +71,8 @@ Scene read_document(const JsonNode& document, const std::filesystem::path& folde
     document.allow_keys({"$schema", "gnomon", "dimension", "length_unit", "lights", "blockers", "receivers"},
                         "a scene of the plane");
   } else {
-    document.allow_keys({"$schema", "gnomon", "dimension", "length_unit", "up", "lights", "blockers", "receivers"}, "a scene");
+    document.allow_keys({"$schema", "gnomon", "dimension", "length_unit", "up", "lights", "blockers", "receivers"},
+                        "a scene");
     scene.up = up_axis(document);
   }
   scene.length_unit = length_unit(document);
