@@ -2,6 +2,7 @@
 
 #include <vtkArrowSource.h>
 #include <vtkFeatureEdges.h>
+#include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPolyDataAlgorithm.h>
 #include <vtkSphereSource.h>
@@ -101,20 +102,63 @@ void add_receiver(Items& items, const PictureScene& scene, const PictureReceiver
   items.push_back(std::move(outline));
   const bool has_back = !receiver.ends_scene && !receiver.has_twin;
   for (const std::string& light : lights_of(scene)) {
-    if (!is_divided(scene, receiver, light)) add_plain_side(items, scene, receiver, light, receiver.plane);
+    if (!is_divided(scene, receiver.name, light)) add_plain_side(items, scene, receiver, light, receiver.plane);
     if (has_back) add_plain_side(items, scene, receiver, light, turned(receiver.plane));
   }
 }
 
-/// The receiver that a block under `receivers/` divides; nothing if the scene does not draw it.
-const PictureReceiver* receiver_of(const PictureScene& scene, const PictureBlock& block) {
-  const auto found = std::ranges::find(scene.receivers, block.path.at(2), &PictureReceiver::name);
-  return found == scene.receivers.end() || (found->turned_away && found->has_twin) ? nullptr : &*found;
+/// A receiver of several facets, where it bears no regions.
+void add_receiver_mesh(Items& items, const PictureScene& scene, const PictureBlock& mesh) {
+  items.push_back({"", edges_of(mesh.data, Edges::all), {palette.edge, 1, 1, 1}, "outline"});
+  for (const std::string& light : lights_of(scene)) {
+    if (is_divided(scene, mesh.path.back(), light)) continue;
+    items.push_back({mesh.path.back(), mesh.data, {palette.receiver, 1, 0.8}, "receiver", light_mark(scene, light)});
+  }
 }
 
-vtkSmartPointer<vtkPolyData> lifted(vtkPolyData& data, const Point3& shift) {
+/// Where what is painted on a receiver is moved to, point by point, and the side that it is seen from; none if the
+/// scene does not draw the receiver.
+struct PaintedSide {
+  std::vector<Point3> normals;
+  std::optional<PicturePlane> front = {};
+};
+
+/// The facets of one receiver share no points, so that each point has one normal. Faces and edges have the same points.
+PaintedSide side_of_facets(const PictureScene& scene, const PictureBlock& block) {
+  const auto faces = std::ranges::find_if(scene.divided_receivers, [&](const PictureBlock& other) {
+    return other.path.at(1) == block.path.at(1) && other.path.at(2) == block.path.at(2) &&
+           other.data->GetNumberOfPolys() > 0;
+  });
+  const std::vector<Point3> points = points_of(*block.data);
+  PaintedSide side{std::vector<Point3>(points.size())};
+  if (faces == scene.divided_receivers.end()) return side;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < faces->data->GetNumberOfCells(); ++i) {
+    faces->data->GetCellPoints(i, ids);
+    Polygon polygon;
+    for (const vtkIdType id : *ids) polygon.push_back(points.at(static_cast<std::size_t>(id)));
+    const Point3 normal = polygon_plane(polygon).normal;
+    for (const vtkIdType id : *ids) side.normals.at(static_cast<std::size_t>(id)) = normal;
+  }
+  return side;
+}
+
+/// The side of the receiver that a block under `receivers/` divides.
+std::optional<PaintedSide> painted_side(const PictureScene& scene, const PictureBlock& block) {
+  const std::string& name = block.path.at(2);
+  const auto found = std::ranges::find(scene.receivers, name, &PictureReceiver::name);
+  if (found != scene.receivers.end()) {
+    if (found->turned_away && found->has_twin) return {};
+    return PaintedSide{std::vector<Point3>(points_of(*block.data).size(), found->plane.normal), found->plane};
+  }
+  const auto is_called = [&](const PictureBlock& mesh) { return mesh.path.back() == name; };
+  if (std::ranges::none_of(scene.receiver_meshes, is_called)) return {};
+  return side_of_facets(scene, block);
+}
+
+vtkSmartPointer<vtkPolyData> lifted(vtkPolyData& data, const PaintedSide& side, double height) {
   std::vector<Point3> points = points_of(data);
-  for (Point3& p : points) p = p + shift;
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] = points[i] + height * side.normals.at(i);
   auto moved = vtkSmartPointer<vtkPolyData>::New();
   moved->ShallowCopy(&data);
   moved->SetPoints(vtk_points(points));
@@ -122,28 +166,24 @@ vtkSmartPointer<vtkPolyData> lifted(vtkPolyData& data, const Point3& shift) {
 }
 
 /// Regions with their borders, in the colours of the legend whatever the light of the picture.
-void add_regions(Items& items, const PictureScene& scene, const PictureBlock& block, const PictureReceiver& receiver) {
+void add_regions(Items& items, const PictureScene& scene, const PictureBlock& block, const PaintedSide& side) {
   const std::string light = light_mark(scene, block.path.at(1));
-  const auto data = lifted(*block.data, 1e-4 * scene.size * receiver.plane.normal);
-  const auto above = lifted(*block.data, 2e-4 * scene.size * receiver.plane.normal);
-  for (const RegionFacets& part : region_facets(*data)) {
-    const std::string name = part.name + " on " + receiver.name;
-    items.push_back({name, part.data, {part.color, 1, 1}, part.name, light, receiver.plane});
+  for (const RegionFacets& part : region_facets(*lifted(*block.data, side, 1e-4 * scene.size))) {
+    const std::string name = part.name + " on " + block.path.at(2);
+    items.push_back({name, part.data, {part.color, 1, 1}, part.name, light, side.front});
   }
-  for (const RegionFacets& part : region_facets(*above)) {
-    items.push_back(
-        {"", edges_of(part.data, Edges::borders), {palette.edge, 1, 1, 1}, part.name, light, receiver.plane});
+  for (const RegionFacets& part : region_facets(*lifted(*block.data, side, 2e-4 * scene.size))) {
+    items.push_back({"", edges_of(part.data, Edges::borders), {palette.edge, 1, 1, 1}, part.name, light, side.front});
   }
 }
 
 void add_divided_receiver(Items& items, const PictureScene& scene, const PictureBlock& block) {
-  const PictureReceiver* receiver = receiver_of(scene, block);
-  if (receiver == nullptr) return;
-  add_regions(items, scene, block, *receiver);
-  const auto above = lifted(*block.data, 3e-4 * scene.size * receiver->plane.normal);
-  for (const OrderedFacets& part : ordered_lines(*above)) {
+  const std::optional<PaintedSide> side = painted_side(scene, block);
+  if (!side) return;
+  add_regions(items, scene, block, *side);
+  for (const OrderedFacets& part : ordered_lines(*lifted(*block.data, *side, 3e-4 * scene.size))) {
     items.push_back(
-        {part.name, part.data, {part.color, 1, 1, 2}, part.name, light_mark(scene, block.path.at(1)), receiver->plane});
+        {part.name, part.data, {part.color, 1, 1, 2}, part.name, light_mark(scene, block.path.at(1)), side->front});
   }
 }
 
@@ -243,15 +283,16 @@ std::string light_mark(const PictureScene& scene, const std::string& light) {
   return scene.light_names.size() > 1 ? light : std::string{};
 }
 
-bool is_divided(const PictureScene& scene, const PictureReceiver& receiver, const std::string& light) {
+bool is_divided(const PictureScene& scene, const std::string& receiver, const std::string& light) {
   return std::ranges::any_of(scene.divided_receivers, [&](const PictureBlock& block) {
-    return block.path.at(1) == light && block.path.at(2) == receiver.name && block.data->GetNumberOfPolys() > 0;
+    return block.path.at(1) == light && block.path.at(2) == receiver && block.data->GetNumberOfPolys() > 0;
   });
 }
 
 std::vector<PictureItem> picture_items(const PictureScene& scene) {
   Items items;
   for (const PictureReceiver& receiver : scene.receivers) add_receiver(items, scene, receiver);
+  for (const PictureBlock& mesh : scene.receiver_meshes) add_receiver_mesh(items, scene, mesh);
   for (const PictureBlock& block : scene.divided_receivers) add_divided_receiver(items, scene, block);
   for (const PictureBlock& light : scene.lights) add_light(items, scene, light);
   for (const PictureSun& sun : scene.suns) add_sun(items, scene, sun);

@@ -56,6 +56,6 @@ std::vector<PictureLabel> picture_labels(const PictureScene& scene, const Point3
 std::string light_mark(const PictureScene& scene, const std::string& light);
 
 /// True if the receiver bears the regions of the light.
-bool is_divided(const PictureScene& scene, const PictureReceiver& receiver, const std::string& light);
+bool is_divided(const PictureScene& scene, const std::string& receiver, const std::string& light);
 
 }  // namespace gnomon::viz

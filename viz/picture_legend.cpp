@@ -131,15 +131,17 @@ std::string region_text(const std::string& region) {
 
 /// Receivers that bear no regions of some light, or show their backs.
 void add_plain_receivers(std::vector<LegendEntry>& list, const PictureScene& scene) {
-  const auto undivided = [&](const PictureReceiver& receiver) {
+  std::vector<std::string> names;
+  for (const PictureReceiver& receiver : scene.receivers) names.push_back(receiver.name);
+  for (const PictureBlock& mesh : scene.receiver_meshes) names.push_back(mesh.path.back());
+  const auto undivided = [&](const std::string& receiver) {
     return scene.light_names.empty() || std::ranges::any_of(scene.light_names, [&](const std::string& light) {
              return !is_divided(scene, receiver, light);
            });
   };
   const auto has_back = [](const PictureReceiver& receiver) { return !receiver.ends_scene && !receiver.has_twin; };
-  const bool one = scene.receivers.size() == 1;
-  if (std::ranges::any_of(scene.receivers, undivided)) {
-    const std::string text = one ? "receiver (" + scene.receivers.front().name + ")" : "receivers";
+  if (std::ranges::any_of(names, undivided)) {
+    const std::string text = names.size() == 1 ? "receiver (" + names.front() + ")" : "receivers";
     list.push_back({text, palette.receiver, LegendMark::filled, "receiver"});
   } else if (std::ranges::any_of(scene.receivers, has_back)) {
     list.push_back({"back of receiver", palette.receiver, LegendMark::filled, "receiver"});

@@ -157,6 +157,7 @@ PictureScene picture_scene(const PictureSource& source) {
     }
     if (block.kind == "blocker") scene.blockers.push_back(block);
     if (block.kind == "receiver") scene.receivers.push_back(receiver(block, points, scene.size));
+    if (block.kind == "receiver_mesh") scene.receiver_meshes.push_back(block);
     if (block.path.front() == "receivers") scene.divided_receivers.push_back(block);
     if (block.path.front() == "discontinuities") scene.discontinuities.push_back(block);
   }
@@ -173,6 +174,7 @@ std::vector<Point3> visible_points(const PictureScene& scene) {
   for (const PictureBlock& block : scene.lights) add(points_of(*block.data));
   for (const PictureBlock& block : scene.blockers) add(points_of(*block.data));
   for (const PictureReceiver& receiver : scene.receivers) add(receiver.polygon);
+  for (const PictureBlock& block : scene.receiver_meshes) add(points_of(*block.data));
   for (const PictureBlock& block : scene.umbras) add(points_of(*block.data));
   for (const PictureBlock& block : scene.penumbras) add(points_of(*block.data));
   return all;

@@ -34,6 +34,7 @@ struct PictureScene {
   std::vector<PictureSun> suns;
   std::vector<PictureBlock> blockers;
   std::vector<PictureReceiver> receivers;
+  std::vector<PictureBlock> receiver_meshes;  ///< receivers of several facets
   std::vector<PictureBlock> umbras;
   std::vector<PictureBlock> penumbras;          ///< without the boundary they share with umbras
   std::vector<PictureBlock> divided_receivers;  ///< faces with their regions, edges with their orders

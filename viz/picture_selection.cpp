@@ -28,13 +28,15 @@ bool is_of_a_part(const PictureSource& source, const PictureBlock& block) {
 }
 
 bool is_receivers(const PictureBlock& block) {
-  return block.kind == "receiver" || block.path.front() == "receivers";
+  return block.kind == "receiver" || block.kind == "receiver_mesh" || block.path.front() == "receivers";
 }
 
 }  // namespace
 
 ResultNames names_in(const PictureSource& source) {
   ResultNames names{{}, element_names(source, "receiver")};
+  const std::vector<std::string> meshes = element_names(source, "receiver_mesh");
+  names.receivers.insert(names.receivers.end(), meshes.begin(), meshes.end());
   const std::vector<std::string> all = element_names(source, "light");
   for (const std::string& light : all) {
     const bool has_result = std::ranges::any_of(

@@ -289,7 +289,7 @@ def show_space(result):
     result.show(result.part("light " + str(light), [b for b in lamp if b not in suns]), "light", edges=True)
     result.show(result.part("blockers", result.select("blocker")), "blocker", edges=True)
     divided = {b["path"][2] for b in result.select("receiver_faces", light)}
-    plain = [b for b in result.select("receiver") if b["path"][-1] not in divided]
+    plain = [b for b in result.select("receiver") + result.select("receiver_mesh") if b["path"][-1] not in divided]
     result.show(result.part("receivers", plain), "receiver", edges=True)
     # Blocker faces lie on the blockers, a penumbra's supporting planes on the umbra.
     umbrae = show_volume(result, light, "umbra", 0.55, (0,))
@@ -360,7 +360,7 @@ def show_plane(result, box):
     drawing = Drawing(result, box)
     names = [name for name in ("penumbra", "umbra") if drawing.show_region(name)]
     drawing.show_lines()
-    drawing.show(result.part("receivers", result.select("receiver")), "plane")
+    drawing.show(result.part("receivers", result.select("receiver") + result.select("receiver_mesh")), "plane")
     drawing.show(result.part("blockers", result.select("blocker")), "blocker", line_width=6.0)
     lamp = [b for b in result.select("light") if b["path"][-1] == drawing.light]
     drawing.show(result.part("light " + str(drawing.light), lamp), "light", line_width=6.0)

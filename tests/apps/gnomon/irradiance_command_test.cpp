@@ -23,13 +23,6 @@ class IrradianceCommand : public Program {
       {"name": "bulb", "shape": "point", "position": [0, 3, 4], "intensity": 50},
       {"name": "tube", "shape": "segment", "vertices": [[0, 0, 2], [0, 0, 4]], "intensity_per_length": 4}]})");
   }
-
-  std::vector<std::string> lines(const std::string& text) const {
-    std::istringstream stream(text);
-    std::vector<std::string> result;
-    for (std::string line; std::getline(stream, line);) result.push_back(line);
-    return result;
-  }
 };
 
 TEST_F(IrradianceCommand, TellsValueAndBoundOfEveryLightPointByPoint) {

@@ -92,19 +92,26 @@ std::vector<std::string> Program::names_in(const std::string& folder) const {
   return names;
 }
 
+std::vector<std::string> lines(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> result;
+  for (std::string line; std::getline(stream, line);) result.push_back(line);
+  return result;
+}
+
 std::vector<std::string> commands_of(const std::string& help) {
-  std::istringstream lines(help.substr(std::min(help.find("Commands:\n"), help.size())));
+  std::istringstream rest(help.substr(std::min(help.find("Commands:\n"), help.size())));
   std::string line;
-  std::getline(lines, line);
+  std::getline(rest, line);
   std::vector<std::string> found;
-  while (std::getline(lines, line) && line.starts_with("  ")) found.push_back(line.substr(2, line.find(' ', 2) - 2));
+  while (std::getline(rest, line) && line.starts_with("  ")) found.push_back(line.substr(2, line.find(' ', 2) - 2));
   return found;
 }
 
 std::vector<std::string> options_of(const std::string& help) {
-  std::istringstream lines(help);
+  std::istringstream rest(help);
   std::vector<std::string> found;
-  for (std::string line; std::getline(lines, line);) {
+  for (std::string line; std::getline(rest, line);) {
     const std::size_t start = line.starts_with("  -h,") ? 5 : 2;
     if (!line.starts_with("  -") || line.substr(start, 2) != "--") continue;
     found.push_back(line.substr(start, line.find_first_of(" ,", start) - start));
@@ -113,10 +120,10 @@ std::vector<std::string> options_of(const std::string& help) {
 }
 
 std::vector<std::string> examples_of(const std::string& help) {
-  std::istringstream lines(help.substr(std::min(help.find("Examples:"), help.size())));
+  std::istringstream rest(help.substr(std::min(help.find("Examples:"), help.size())));
   const std::string start = "  gnomon ";
   std::vector<std::string> found;
-  for (std::string line; std::getline(lines, line);) {
+  for (std::string line; std::getline(rest, line);) {
     if (line.starts_with(start)) found.push_back(line.substr(start.size()));
   }
   return found;

@@ -45,6 +45,8 @@ class Program : public ::testing::Test {
   std::filesystem::path folder_;
 };
 
+std::vector<std::string> lines(const std::string& text);
+
 /// The commands that the program's help lists.
 std::vector<std::string> commands_of(const std::string& help);
 

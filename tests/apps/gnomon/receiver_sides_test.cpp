@@ -18,13 +18,6 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
 
-std::vector<std::string> lines(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> result;
-  for (std::string line; std::getline(stream, line);) result.push_back(line);
-  return result;
-}
-
 /// Panels, a wall and the ground under suns at noon, behind the wall, level, and below the horizon.
 const std::string suns_scene = R"({"gnomon": 1, "dimension": 3, "lights": [
   {"name": "below", "shape": "direction", "direction": [0, 0.3, 1], "irradiance": 1000},

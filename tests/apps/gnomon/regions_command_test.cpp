@@ -16,13 +16,6 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
 
-std::vector<std::string> lines(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> result;
-  for (std::string line; std::getline(stream, line);) result.push_back(line);
-  return result;
-}
-
 /// The umbra of table_scene has the half width 3 on the floor, the occlusion 5.
 class RegionsCommand : public Program {
  protected:
