@@ -62,10 +62,11 @@ double cell_value(vtkPointSet& block, const char* array, vtkIdType cell) {
 TEST_F(WrittenShadow, HoldsTheBlocksOfItsManifest) {
   write(SampleResult());
   expect_blocks_of_the_manifest();
-  EXPECT_EQ(tree_.blocks.size(), 10u);
+  EXPECT_EQ(tree_.blocks.size(), 11u);
   for (const char* name : {"scene/lights/lamp", "scene/blockers/table", "scene/blockers/post", "scene/receivers/floor",
                            "volumes/lamp/table/occlusion", "volumes/lamp/table/umbra", "volumes/lamp/table/penumbra",
-                           "solids/lamp/table/umbra", "solids/lamp/table/penumbra", "extremal_planes/lamp/table"}) {
+                           "solids/lamp/table/umbra", "solids/lamp/table/penumbra", "extremal_planes/lamp/table",
+                           "receivers/lamp/floor/faces"}) {
     EXPECT_TRUE(tree_.blocks.contains(name)) << name;
   }
 }

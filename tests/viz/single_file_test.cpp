@@ -62,6 +62,7 @@ TEST_F(SingleFile, VtpHoldsEverySurfaceWithItsBlock) {
   for (vtkIdType i = 0; i < sample_cells; ++i) {
     const std::string name = names->GetValue(static_cast<vtkIdType>(blocks->GetComponent(i, 0)));
     umbra += name == "volumes/lamp/table/umbra" ? 1 : 0;
+    if (name == "receivers/lamp/floor/faces") continue;  // lit, penumbra and umbra lie in one block
     EXPECT_EQ(name.ends_with("/umbra"), regions->GetComponent(i, 0) == 2) << name;
   }
   EXPECT_EQ(umbra, 12);

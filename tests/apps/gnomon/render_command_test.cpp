@@ -137,8 +137,9 @@ TEST_F(RenderCommand, RefusesAnUpThatIsNoneOrHasNoMeaning) {
 TEST_F(RenderCommand, ShowsOneLightAndOnAPageAll) {
   const auto nodes = [&](const std::string& options) {
     EXPECT_EQ(gnomon("render examples/two_lamps.scene.json --out lamps.gltf " + options).code, 0);
+    const nlohmann::json document = read_json("lamps.gltf");
     std::vector<std::string> names;
-    for (const auto& node : read_json("lamps.gltf").at("nodes")) names.push_back(node.at("name"));
+    for (const auto& node : document.at("nodes")) names.push_back(node.at("name"));
     return names;
   };
   using testing::Contains;

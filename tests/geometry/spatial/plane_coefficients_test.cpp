@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 
 #include "geometry/kernel.h"
@@ -64,11 +64,17 @@ TEST(PlaneCoefficients, AreCorrectlyRounded) {
   EXPECT_EQ(Rational(d.exact), -3 * Rational(0.1));
 }
 
-TEST(PlaneCoefficientsDegenerate, OverflowIsInfiniteAndStillExactAsText) {
-  const HalfSpace half_space{{FacetKind::blocker_face, -1, -1}, {Point3{0, 0, 0}, {1e200, 0, 0}, {0, 1e200, 0}}, false};
-  const auto [a, b, c, d] = plane_coefficients(half_space);
-  EXPECT_EQ(c.nearest, std::numeric_limits<double>::infinity());
-  EXPECT_EQ(Rational(c.exact), Rational(1e200) * Rational(1e200));
+TEST(PlaneCoefficientsDegenerate, OfHugeAndTinyPlanesAreMultipliedByOnePowerOfTwo) {
+  for (const double size : {1e200, 1e307, 1e-200, 1e-300}) {
+    const HalfSpace half_space{
+        {FacetKind::blocker_face, -1, -1}, {Point3{0, 0, size}, {size, 0, size}, {0, 3 * size, size}}, false};
+    const auto [a, b, c, d] = plane_coefficients(half_space);
+    EXPECT_EQ(a.exact, "0");
+    EXPECT_TRUE(std::isnormal(c.nearest)) << size;
+    EXPECT_EQ(Rational(d.exact), -Rational(c.exact) * Rational(size));
+    const int exponent = std::ilogb(std::max(std::abs(c.nearest), std::abs(d.nearest)));
+    EXPECT_TRUE(exponent == -1 || exponent == 0 || exponent == 1) << size << ": " << exponent;
+  }
 }
 
 }  // namespace
