@@ -83,6 +83,7 @@ foreach(header IN ITEMS
     viz/picture.h
     viz/result_error.h
     viz/series_writer.h
+    viz/receiver_result.h
     viz/shadow_result.h
     viz/shadow_writer.h)
   cmake_path(GET header PARENT_PATH folder)

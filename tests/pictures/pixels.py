@@ -66,10 +66,11 @@ class Pixels:
         return counts
 
     def differing(self, other, left=0):
-        """The number of pixels right of a column at which two pictures of one size differ."""
+        """The number of pixels right of a column at which two pictures of one size differ by more than one level, which
+        is how far a browser's own rounding goes when it draws the same once more."""
         total = 0
         for mine, theirs in zip(self.rows, other.rows):
             if mine != theirs:
                 pairs = zip(self._colors(mine[left * self.channels:]), other._colors(theirs[left * other.channels:]))
-                total += sum(a != b for a, b in pairs)
+                total += sum(a != b and max(abs(i - j) for i, j in zip(a, b)) > 1 for a, b in pairs)
         return total
