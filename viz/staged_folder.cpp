@@ -106,6 +106,7 @@ StagedFolder::~StagedFolder() {
 StagedFile StagedFolder::add(const std::string& relative) {
   files_.push_back(relative);
   const fs::path temporary = staging_ / relative;
+  const std::lock_guard lock(staging_folders().mutex);  // so that no folder comes back that the end has removed
   make_folder(temporary.parent_path());
   return {temporary, directory_ / relative};
 }
