@@ -39,6 +39,16 @@ void merge_faces(DividedReceiver& receiver) {
   }
 }
 
+/// Makes one region of the two beside each edge that lines of sight in the receiver's plane alone have made.
+void forget_horizon(DividedReceiver& receiver) {
+  for (const MeshEdge& edge : receiver.edges) {
+    if (edge.left == MeshEdge::nowhere || edge.right == MeshEdge::nowhere) continue;
+    const bool forgotten =
+        std::ranges::all_of(edge.names, [&](std::uint32_t n) { return receiver.names[n].kind == EventKind::horizon; });
+    if (forgotten) receiver.faces[edge.left] = receiver.faces[edge.right];
+  }
+}
+
 void exchange(ReceiverRegion& region) {
   if (region == ReceiverRegion::lit) {
     region = ReceiverRegion::penumbra;
@@ -82,6 +92,7 @@ std::vector<Mutant> event_mutants() {
                    if (name.kind == EventKind::contact) name.order = 2;
                  }
                }),
+      receiver("forget_horizon", "edges of lines of sight in the receiver's plane forgotten", {"M5"}, forget_horizon),
       receiver("merge_faces", "edges between faces of one region forgotten", {"E7"}, merge_faces),
       receiver("swap_light_and_penumbra", "lit and penumbral faces of a receiver exchanged", {"M5"},
                [](DividedReceiver& found) { std::ranges::for_each(found.faces, exchange); }),

@@ -137,10 +137,78 @@ TEST_F(ReportedFiles, OfATreeGiveTheShadowOfTrunkAndCrownHoweverItsRingIsTold) {
   }
   EXPECT_EQ(area(folder + "mm.scene.json").exact, "18500000");
   EXPECT_NEAR(area(folder + "turned_times5.scene.json").nearest, 25 * 18.5, 1e-9);
+  EXPECT_EQ(area(folder + "mirrored.scene.json", "unlit").exact, "32") << "the sun stands behind the wall";
+  EXPECT_THAT(gnomon("check " + folder + "mirrored.scene.json").out, HasSubstr("turned from every light"));
   const Outcome run = gnomon("check " + folder + "as_polygon.scene.json");
   EXPECT_EQ(run.code, 3);
   EXPECT_THAT(run.err, AllOf(HasSubstr("/blockers/0/vertices/2"), HasSubstr("the shape \"concave_polygon\"")));
   EXPECT_THAT(doubts(folder + "closed_ring.scene.json"), HasSubstr("last vertex repeats the first"));
+}
+
+TEST_F(ReportedFiles, OfATreeBeforeALampAgreeWithItsPointsOneByOne) {
+  const std::string scene = reports + "01-tree-silhouette/area_sun.scene.json";
+  double sum = 0;
+  for (const std::string region : {"lit", "penumbra", "umbra"}) sum += area(scene, region).nearest;
+  EXPECT_NEAR(sum, 32, 1e-13);
+  std::string points = "x,y,z,nx,ny,nz\n";
+  constexpr int rows = 40;
+  for (int i = 0; i < rows; ++i) {
+    for (int j = 0; j < 2 * rows; ++j) {
+      points += std::to_string(-3.95 + 0.1 * j) + ",0," + std::to_string(0.05 + 0.1 * i) + ",0,-1,0\n";
+    }
+  }
+  write("wall.csv", points);
+  std::map<std::string, double> counted;
+  const json document = json::parse(gnomon("regions " + scene + " --at wall.csv --json -").out);
+  for (const json& point : document["points"]) counted[point["lights"][0]["region"]] += 0.01;
+  for (const std::string region : {"lit", "penumbra", "umbra"}) {
+    EXPECT_NEAR(counted[region], area(scene, region).nearest, 0.3) << region << ", within half a cell of its borders";
+  }
+}
+
+TEST_F(ReportedFiles, OfAPatchGiveTheTextbooksViewFactors) {
+  const std::string folder = reports + "08-point-view-factor/";
+  const double expected[] = {0.13853160599489298, 0.2394564704607735, 0.22296619703379386};
+  const json points = json::parse(
+      gnomon("irradiance " + folder + "main.scene.json --json - --at " + folder + "points.csv").out)["points"];
+  ASSERT_EQ(points.size(), std::size(expected));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const json& light = points[i]["lights"][0];
+    EXPECT_NEAR(light["irradiance"], expected[i], light["error_bound"].get<double>() + 1e-16) << i;
+  }
+  const auto mean = [&](const std::string& scene) {
+    const Outcome run = gnomon("irradiance " + folder + scene + " --on floor --shape 64,64 --json -");
+    return json::parse(run.out)["summary"]["sum"]["mean"]["irradiance"].get<double>();
+  };
+  EXPECT_NEAR(mean("main.scene.json"), 0.19982489569838, 1e-5) << "between two unit squares";
+  EXPECT_NEAR(mean("with_obstacle.scene.json"), 0.11562060213242, 1e-5) << "with a screen between them";
+}
+
+TEST_F(ReportedFiles, OfABallOnATableAreReceivedFacetByFacet) {
+  const std::string scene = reports + "newcomers/rec_mesh.scene.json";
+  const json receiver = json::parse(gnomon("receivers " + scene + " --json -").out)["receivers"][0];
+  const double half = receiver["area"].get<double>() / 2;
+  EXPECT_EQ(receiver["facets"], 224);
+  EXPECT_NEAR(receiver["areas"]["lit"]["double"], half, 1e-12) << "all that is above the table";
+  EXPECT_EQ(receiver["areas"]["penumbra"]["double"], 0.0);
+  EXPECT_EQ(gnomon("render " + scene + " --out ball.html").code, 0);
+  EXPECT_THAT(read("ball.html"), HasSubstr("umbra on m"));
+}
+
+TEST_F(ReportedFiles, OfNewcomersStandUprightWhereverTheirLampsAre) {
+  for (const std::string scene : {"side", "room"}) {
+    EXPECT_EQ(gnomon("render " + reports + "newcomers/" + scene + ".scene.json --out page.html").code, 0);
+    EXPECT_THAT(read("page.html"), HasSubstr("\"up\":[0.0,0.0,1.0]")) << scene;
+  }
+}
+
+TEST_F(ReportedFiles, OfATableOfSixteenAndOfTwoLampsShowWhatReceiversTells) {
+  const Area umbra = area(reports + "newcomers/sixteenths.scene.json");
+  EXPECT_EQ(umbra.exact, "36");
+  EXPECT_EQ(gnomon("render " + reports + "newcomers/sixteenths.scene.json --out page.html").code, 0);
+  EXPECT_THAT(read("page.html"), HasSubstr("umbra on floor"));
+  EXPECT_EQ(gnomon("render " + reports + "newcomers/two_lamps.scene.json --out page.html").code, 0);
+  EXPECT_THAT(read("page.html"), HasSubstr(", one of 2"));
 }
 
 TEST_F(ReportedFiles, OfADitheredRoofGiveItsOwnShapeAsShadowAndAsReceiver) {

@@ -6,12 +6,14 @@
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "geometry/discontinuity/receiver_mesh.h"
 #include "geometry/discontinuity/receiver_mesh_data.h"
 #include "geometry/scene/scene_reader.h"
+#include "geometry/visibility/visibility.h"
 #include "tests/geometry/discontinuity/mesh_probe.h"
 #include "tests/geometry/discontinuity/side_cases.h"
 #include "tests/geometry/discontinuity/side_oracle.h"
@@ -62,6 +64,7 @@ struct SideTally {
   std::size_t meshes = 0;
   std::size_t with_horizon = 0;  ///< meshes with a trace of a line of sight in the receiver's plane
   std::size_t wrong = 0;
+  std::size_t asked = 0;  ///< points that are doubles, of which `regions` is asked too
 
   std::size_t compared() const {
     std::size_t sum = 0;
@@ -73,6 +76,13 @@ struct SideTally {
 bool is_right(ReceiverRegion label, Region region) {
   if (label == ReceiverRegion::unresolved_eee) return region == Region::penumbra || region == Region::umbra;
   return static_cast<int>(label) == static_cast<int>(region);
+}
+
+/// What `gnomon regions` tells of the point with the receiver's normal, where the point is one of doubles.
+std::optional<Region> region_with_normal(const SideCase& drawn, const ConvexPolygon& receiver, const ExactVector& p) {
+  const Point3 q{p.x.convert_to<double>(), p.y.convert_to<double>(), p.z.convert_to<double>()};
+  if (!(exact(q) == p)) return std::nullopt;
+  return exact_received(drawn.light, {drawn.blockers, {}}, {q, facet_front(receiver)}).region;
 }
 
 /// Compares points of some triangles of a receiver's mesh.
@@ -89,10 +99,13 @@ void compare(Dice& dice, const SideCase& drawn, std::uint32_t r, const ReceiverM
     const ReceiverRegion label = mesh.faces()[triangle.face].region;
     const Region region = test_support::region_before_plane(drawn.light, drawn.blockers, plane.plane().normal, p);
     ++tally.points[static_cast<std::size_t>(label)];
-    if (is_right(label, region)) continue;
+    const std::optional<Region> told = region_with_normal(drawn, drawn.receivers[r], p);
+    tally.asked += told.has_value();
+    if (is_right(label, region) && told.value_or(region) == region) continue;
     if (++tally.wrong > 5) continue;
     ADD_FAILURE() << "receiver r" << r << " at " << p.x << ", " << p.y << ", " << p.z << ": " << name(label)
-                  << ", by definition " << static_cast<int>(region) << "\n"
+                  << ", by definition " << static_cast<int>(region) << ", told with its normal "
+                  << static_cast<int>(told.value_or(region)) << "\n"
                   << test_support::scene_text(drawn);
   }
 }
@@ -114,6 +127,7 @@ SideTally compare_all(unsigned count, const Draw& draw) {
   }
   std::cout << "; wrong " << tally.wrong << "\n";
   EXPECT_EQ(tally.wrong, 0U);
+  EXPECT_GT(3 * tally.asked, tally.compared());
   EXPECT_GT(8 * tally.with_horizon, tally.meshes);
   for (const ReceiverRegion region : {ReceiverRegion::lit, ReceiverRegion::penumbra, ReceiverRegion::umbra}) {
     EXPECT_GT(20 * tally.points[static_cast<std::size_t>(region)], tally.compared()) << name(region);
