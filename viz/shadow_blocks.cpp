@@ -1,111 +1,62 @@
-#include <vtkNew.h>
-#include <vtkPolyData.h>
-#include <vtkUnstructuredGrid.h>
-
 #include <algorithm>
-#include <numeric>
+#include <span>
 
-#include "geometry/region.h"
 #include "viz/block.h"
-#include "viz/cell_arrays.h"
 #include "viz/receiver_blocks.h"
-#include "viz/vtk_cells.h"
+#include "viz/shadow_data.h"
 
 namespace gnomon::viz {
 namespace {
 
-/// What all cells of one volume have in common.
-CellName volume_cell(const PairResult& pair, std::string_view volume) {
-  CellName cell;
-  cell.light_id = static_cast<std::int32_t>(pair.light_id);
-  cell.blocker_id = static_cast<std::int32_t>(pair.blocker_id);
-  if (volume == "umbra" || volume == "umbra_pockets") {
-    cell.region = static_cast<std::uint8_t>(Region::umbra);
-    cell.visible_fraction = 0;
-  } else if (volume == "penumbra") {
-    cell.region = static_cast<std::uint8_t>(Region::penumbra);
+/// Of a blocker with more parts than this all parts share the blocks of `vase#parts`: thousands of files would help
+/// nobody.
+constexpr std::size_t most_parts_of_their_own = 100;
+
+/// Pairs of one light that share their blocks: one, or all parts of a blocker.
+using Group = std::span<const PairResult* const>;
+
+std::string blocker_of(const ShadowResult& result, Group group) {
+  if (group.size() == 1) return group.front()->blocker;
+  return result.scene->blockers[group.front()->blocker_id].name + "#parts";
+}
+
+/// Fields of a volume; where parts share it, the double of every part in the order of `part_id`. The exact numbers of
+/// all pairs are in the fields of the whole result.
+Fields volume_fields(const ShadowResult& result, Group group, VolumeMesh ShadowMeshes::*volume) {
+  bool is_truncated = false;
+  std::vector<double> totals;
+  std::vector<std::string> exact, names;
+  for (const PairResult* pair : group) {
+    const VolumeMesh& mesh = pair->meshes.*volume;
+    is_truncated = is_truncated || mesh.truncated;
+    totals.push_back(mesh.volume.nearest);
+    exact.push_back(mesh.volume.exact);
+    names.push_back(pair->blocker);
   }
-  return cell;
-}
-
-CellName with_facet(CellName cell, const FacetName& facet, std::size_t facet_id) {
-  cell.facet_id = static_cast<std::int32_t>(facet_id);
-  cell.facet_kind = static_cast<std::uint8_t>(facet.kind);
-  cell.edge_index = facet.edge_index;
-  cell.vertex_index = facet.vertex_index;
-  return cell;
-}
-
-vtkSmartPointer<vtkPointSet> surface(const VolumeMesh& mesh, const CellName& common) {
-  vtkNew<vtkCellArray> triangles;
-  std::vector<CellName> names;
-  for (const MeshTriangle& triangle : mesh.triangles) {
-    insert_cell(*triangles, triangle.vertices);
-    names.push_back(with_facet(common, mesh.facets[triangle.facet], triangle.facet));
+  Fields fields = pair_fields(result, group.front()->light, blocker_of(result, group), is_truncated);
+  fields.push_back({"volume_total", std::move(totals)});
+  if (group.size() > 1) {
+    fields.push_back({"part_names", std::move(names)});
+  } else {
+    fields.push_back({"volume_exact", std::move(exact)});
   }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(vtk_points(mesh.vertices));
-  data->SetPolys(triangles);
-  add_cell_arrays(*data, names);
-  return data;
-}
-
-/// A polyhedron as VTK wants it: the number of faces, then each face with its number of points.
-void insert_polyhedron(vtkUnstructuredGrid& grid, const VolumeCells::Cell& cell) {
-  std::vector<vtkIdType> stream;
-  for (const VolumeCells::Face& face : cell.faces) {
-    stream.push_back(static_cast<vtkIdType>(face.size()));
-    stream.insert(stream.end(), face.begin(), face.end());
-  }
-  grid.InsertNextCell(VTK_POLYHEDRON, static_cast<vtkIdType>(cell.faces.size()), stream.data());
-}
-
-vtkSmartPointer<vtkPointSet> solid(const VolumeCells& cells, const CellName& common) {
-  auto data = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  data->SetPoints(vtk_points(cells.vertices));
-  for (const VolumeCells::Cell& cell : cells.cells) insert_polyhedron(*data, cell);
-  add_cell_arrays(*data, std::vector<CellName>(cells.cells.size(), common));
-  return data;
-}
-
-vtkSmartPointer<vtkPointSet> plane_polygons(const std::vector<PlanePolygon>& planes, const CellName& common) {
-  std::vector<Point3> points;
-  vtkNew<vtkCellArray> polygons;
-  std::vector<CellName> names;
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    if (planes[i].vertices.empty()) continue;
-    std::vector<std::size_t> indices(planes[i].vertices.size());
-    std::iota(indices.begin(), indices.end(), points.size());
-    insert_cell(*polygons, indices);
-    points.insert(points.end(), planes[i].vertices.begin(), planes[i].vertices.end());
-    names.push_back(with_facet(common, planes[i].name, i));
-  }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(vtk_points(points));
-  data->SetPolys(polygons);
-  add_cell_arrays(*data, names);
-  return data;
-}
-
-template <class Pair>
-Fields volume_fields(const ShadowResult& result, const Pair& pair, const VolumeMesh& mesh) {
-  Fields fields = pair_fields(result, pair.light, pair.blocker, mesh.truncated);
-  fields.push_back({"volume_total", std::vector<double>{mesh.volume.nearest}});
-  fields.push_back({"volume_exact", std::vector<std::string>{mesh.volume.exact}});
   return fields;
 }
 
-void append_volumes(std::vector<Block>& blocks, const ShadowResult& result, const PairResult& pair) {
-  const auto append = [&](const std::string& name, const VolumeMesh& mesh) {
-    append_block(blocks, {{"volumes", pair.light, pair.blocker, name},
+void append_volumes(std::vector<Block>& blocks, const ShadowResult& result, Group group) {
+  const auto append = [&](const std::string& name, VolumeMesh ShadowMeshes::*volume) {
+    ShadowSurface surface;
+    for (const PairResult* pair : group) surface.add(pair->meshes.*volume, volume_cell(*pair, name));
+    append_block(blocks, {{"volumes", group.front()->light, blocker_of(result, group), name},
                           "volume",
-                          volume_fields(result, pair, mesh),
-                          surface(mesh, volume_cell(pair, name))});
+                          volume_fields(result, group, volume),
+                          surface.data()});
   };
-  append("occlusion", pair.meshes.occlusion);
-  append("umbra", pair.meshes.umbra);
-  append("penumbra", pair.meshes.penumbra);
-  if (pair.is_solid) append("umbra_pockets", pair.meshes.umbra_pockets);
+  append("occlusion", &ShadowMeshes::occlusion);
+  append("umbra", &ShadowMeshes::umbra);
+  append("penumbra", &ShadowMeshes::penumbra);
+  const auto is_solid = [](const PairResult* pair) { return pair->is_solid; };
+  if (std::ranges::any_of(group, is_solid)) append("umbra_pockets", &ShadowMeshes::umbra_pockets);
 }
 
 /// For every `facet_id` the field `facet_part` has the number of the part that the facet comes from.
@@ -114,31 +65,56 @@ void append_merged(std::vector<Block>& blocks, const ShadowResult& result, const
   common.light_id = static_cast<std::int32_t>(merged.light_id);
   common.blocker_id = static_cast<std::int32_t>(merged.blocker_id);
   const VolumeMesh& mesh = merged.occlusion.mesh;
-  Fields fields = volume_fields(result, merged, mesh);
+  ShadowSurface surface;
+  surface.add(mesh, common);
+  Fields fields = pair_fields(result, merged.light, merged.blocker, mesh.truncated);
+  fields.push_back({"volume_total", std::vector<double>{mesh.volume.nearest}});
+  fields.push_back({"volume_exact", std::vector<std::string>{mesh.volume.exact}});
   const auto& parts = merged.occlusion.facet_part;
   fields.push_back({"facet_part", std::vector<std::int32_t>(parts.begin(), parts.end())});
-  append_block(blocks, {{"volumes", merged.light, merged.blocker, "occlusion_merged"},
-                        "volume",
-                        std::move(fields),
-                        surface(mesh, common)});
+  append_block(
+      blocks,
+      {{"volumes", merged.light, merged.blocker, "occlusion_merged"}, "volume", std::move(fields), surface.data()});
 }
 
-void append_solids(std::vector<Block>& blocks, const ShadowResult& result, const PairResult& pair) {
-  const auto append = [&](const std::string& name, const VolumeMesh& mesh, const VolumeCells& cells) {
-    append_block(blocks, {{"solids", pair.light, pair.blocker, name},
+void append_solids(std::vector<Block>& blocks, const ShadowResult& result, Group group) {
+  const auto append = [&](const std::string& name, VolumeMesh ShadowMeshes::*volume, VolumeCells ShadowMeshes::*cells) {
+    ShadowSolid solid;
+    for (const PairResult* pair : group) solid.add(pair->meshes.*cells, volume_cell(*pair, name));
+    append_block(blocks, {{"solids", group.front()->light, blocker_of(result, group), name},
                           "solid",
-                          volume_fields(result, pair, mesh),
-                          solid(cells, volume_cell(pair, name))});
+                          volume_fields(result, group, volume),
+                          solid.data()});
   };
-  append("umbra", pair.meshes.umbra, pair.meshes.umbra_cells);
-  append("penumbra", pair.meshes.penumbra, pair.meshes.penumbra_cells);
+  append("umbra", &ShadowMeshes::umbra, &ShadowMeshes::umbra_cells);
+  append("penumbra", &ShadowMeshes::penumbra, &ShadowMeshes::penumbra_cells);
 }
 
-void append_planes(std::vector<Block>& blocks, const ShadowResult& result, const PairResult& pair) {
-  append_block(blocks, {{"extremal_planes", pair.light, pair.blocker},
+void append_planes(std::vector<Block>& blocks, const ShadowResult& result, Group group) {
+  ShadowSurface surface;
+  for (const PairResult* pair : group) surface.add(pair->meshes.extremal_planes, volume_cell(*pair, ""));
+  const std::string blocker = blocker_of(result, group);
+  append_block(blocks, {{"extremal_planes", group.front()->light, blocker},
                         "extremal_planes",
-                        pair_fields(result, pair.light, pair.blocker, true),
-                        plane_polygons(pair.meshes.extremal_planes, volume_cell(pair, ""))});
+                        pair_fields(result, group.front()->light, blocker, true),
+                        surface.data()});
+}
+
+/// The pairs that share blocks, in their order.
+std::vector<Group> groups_of(std::span<const PairResult* const> pairs) {
+  std::vector<Group> groups;
+  for (std::size_t first = 0, last = 0; first < pairs.size(); first = last) {
+    const auto same = [&](const PairResult* pair) {
+      return pair->light_id == pairs[first]->light_id && pair->blocker_id == pairs[first]->blocker_id;
+    };
+    while (last < pairs.size() && same(pairs[last])) ++last;
+    if (last - first > most_parts_of_their_own) {
+      groups.push_back(pairs.subspan(first, last - first));
+    } else {
+      for (std::size_t i = first; i < last; ++i) groups.push_back(pairs.subspan(i, 1));
+    }
+  }
+  return groups;
 }
 
 }  // namespace
@@ -151,18 +127,20 @@ std::vector<Block> shadow_blocks(const ShadowResult& result) {
   }
   // Blocks of one light are siblings, in whatever order the pairs come.
   std::ranges::stable_sort(pairs, {}, &PairResult::light_id);
+  const std::vector<Group> groups = groups_of(pairs);
 
   std::vector<Block> blocks;
   append_scene_blocks(blocks, result);
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    append_volumes(blocks, result, *pairs[i]);
-    if (i + 1 < pairs.size() && pairs[i + 1]->light_id == pairs[i]->light_id) continue;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    append_volumes(blocks, result, groups[i]);
+    const std::uint32_t light = groups[i].front()->light_id;
+    if (i + 1 < groups.size() && groups[i + 1].front()->light_id == light) continue;
     for (const MergedResult& merged : result.merged) {
-      if (merged.light_id == pairs[i]->light_id) append_merged(blocks, result, merged);
+      if (merged.light_id == light) append_merged(blocks, result, merged);
     }
   }
   for (const auto append : {append_solids, append_planes}) {
-    for (const PairResult* pair : pairs) append(blocks, result, *pair);
+    for (const Group group : groups) append(blocks, result, group);
   }
   for (const SideResult side : sides_of(result.receivers)) append_receiver_faces(blocks, result, side);
   return blocks;

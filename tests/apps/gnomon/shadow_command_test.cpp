@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "tests/apps/gnomon/program_fixture.h"
 
@@ -377,6 +378,52 @@ TEST_F(ShadowCommand, RefusesABoxOfSpaceInThePlane) {
   const Outcome run = gnomon("shadow examples/figure_4_17.scene.json --json - --box 0,0,0,1,1,1");
   EXPECT_EQ(run.code, 2);
   EXPECT_THAT(run.err, HasSubstr("xmin,ymin,xmax,ymax"));
+}
+
+/// An open sheet of n times n squares, each of two triangles, over the floor of table_scene.
+std::string sheet_of(int n) {
+  std::string text;
+  for (int i = 0; i <= n; ++i) {
+    for (int j = 0; j <= n; ++j) {
+      text += "v " + std::to_string(4.0 * i / n - 2) + ' ' + std::to_string(4.0 * j / n - 2) + ' ' +
+              std::to_string(2 + 0.125 * ((i * j) % 3)) + '\n';
+    }
+  }
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      const int a = i * (n + 1) + j + 1, b = a + n + 1;
+      for (const auto& [p, q, r] : {std::array{a, b, b + 1}, std::array{a, b + 1, a + 1}}) {
+        text += "f " + std::to_string(p) + ' ' + std::to_string(q) + ' ' + std::to_string(r) + '\n';
+      }
+    }
+  }
+  return text;
+}
+
+TEST_F(ShadowCommand, PartsBeyondAHundredShareOneFileAKind) {
+  write("sheet.obj", sheet_of(8));
+  write("sheet.scene.json", R"({"gnomon": 1, "dimension": 3, "lights": [{"name": "lamp", "shape": "polygon",
+    "vertices": [[-1,-1,4], [-1,1,4], [1,1,4], [1,-1,4]]}],
+    "blockers": [{"name": "sheet", "shape": "mesh", "file": "sheet.obj"}]})");
+  const Outcome run = gnomon("shadow sheet.scene.json --out out --json all.json --quiet");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const nlohmann::json manifest = read_json("out/manifest.json"), all = read_json("all.json");
+  EXPECT_LT(manifest["files"].size(), 12u);
+  ASSERT_EQ(all["pairs"].size(), 128u);
+  for (const std::string volume : {"occlusion", "umbra", "penumbra"}) {
+    const auto is_volume = [&](const nlohmann::json& block) {
+      return block["path"] == nlohmann::json({"volumes", "lamp", "sheet#parts", volume});
+    };
+    const auto block = std::ranges::find_if(manifest["blocks"], is_volume);
+    ASSERT_NE(block, manifest["blocks"].end()) << volume;
+    EXPECT_EQ((*block)["more_cell_arrays"], nlohmann::json({"part_id"}));
+    ASSERT_EQ((*block)["field_data"]["part_names"].size(), 128u);
+    for (std::size_t i = 0; i < 128; ++i) {
+      EXPECT_EQ((*block)["field_data"]["part_names"][i], all["pairs"][i]["blocker"]);
+      EXPECT_EQ((*block)["field_data"]["volume_total"][i], all["pairs"][i][volume]["volume_in_box"]) << volume << i;
+    }
+  }
+  EXPECT_EQ(gnomon("render out --volumes --out picture.gltf").code, 0);
 }
 
 }  // namespace
