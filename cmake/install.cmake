@@ -19,10 +19,11 @@ install(FILES viz/gnomon_reader.py DESTINATION ${CMAKE_INSTALL_DATADIR}/gnomon/p
 # Pages link to each other and to the examples as they lie in the sources.
 set(gnomon_example_files FILES_MATCHING PATTERN "*.scene.json" PATTERN "*.csv" PATTERN "*.stl" PATTERN "*.license")
 install(DIRECTORY examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/gnomon/examples ${gnomon_example_files})
-install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.cpp" PATTERN "*.license")
+install(FILES README.md CHANGELOG.md CITATION.cff CONTRIBUTING.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES geometry/references.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/geometry)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR}
-  FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "*.svg")
+  FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "*.svg" PATTERN "*.py")
 # `gnomon example` finds them beside the program, in a build too.
 file(COPY examples/ DESTINATION ${PROJECT_BINARY_DIR}/share/gnomon/examples ${gnomon_example_files})
 install(TARGETS gnomon_geometry gnomon_scene gnomon_shading EXPORT gnomonTargets)

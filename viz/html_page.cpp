@@ -102,7 +102,7 @@ Json json(const PictureItem& item, const Point3& centre) {
                  {"opacity", item.look.opacity},
                  {"ambient", item.look.ambient},
                  {"width", item.look.line_width},
-                 {"positions", encoded(positions(*item.data, centre))},
+                 {"positions", encoded(positions(*item.data, item.in_corner ? Point3{} : centre))},
                  {"faces", encoded(parts.faces)},
                  {"cells", encoded(item.cell_names.empty() ? std::vector<std::uint32_t>{} : parts.cells)},
                  {"names", item.cell_names},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 #include "geometry/errors.h"
 #include "viz/block.h"
@@ -96,7 +97,9 @@ void check(const fs::path& file, const PictureOptions& options) {
 }  // namespace
 
 std::optional<PictureFormat> picture_format(const fs::path& file) {
-  const auto found = std::ranges::find(format_endings, file.extension().string());
+  std::string ending = file.extension().string();
+  for (char& letter : ending) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  const auto found = std::ranges::find(format_endings, ending);
   if (found == format_endings.end()) return std::nullopt;
   return static_cast<PictureFormat>(found - format_endings.begin());
 }

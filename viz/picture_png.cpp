@@ -1,14 +1,17 @@
 #include "viz/picture_png.h"
 
 #include <vtkCamera.h>
+#include <vtkDepthPeelingPass.h>
 #include <vtkErrorCode.h>
 #include <vtkImageShrink3D.h>
 #include <vtkLightKit.h>
 #include <vtkMapper.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
+#include <vtkRenderStepsPass.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkTranslucentPass.h>
 #include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
@@ -48,13 +51,23 @@ DrawingSize drawing_size(const PictureOptions& options) {
   return {(place.scene[2] - place.scene[0]) * options.width, (place.scene[3] - place.scene[1]) * options.height};
 }
 
+/// VTK's own choice, peeling from both sides, drops all layers but the outermost ones in pictures of some sizes.
+void peel_translucent_layers(vtkRenderer& renderer) {
+  vtkNew<vtkTranslucentPass> translucent;
+  vtkNew<vtkDepthPeelingPass> peeling;
+  peeling->SetTranslucentPass(translucent);
+  peeling->SetMaximumNumberOfPeels(most_peels);
+  peeling->SetOcclusionRatio(0);
+  vtkNew<vtkRenderStepsPass> steps;
+  steps->SetTranslucentPass(peeling);
+  renderer.SetPass(steps);
+}
+
 void add_spatial_scene(vtkRenderer& renderer, const PictureScene& scene, const PictureOptions& options) {
   const DrawingSize size = drawing_size(options);
   const PictureView view = picture_view(scene, options.camera, size);
   const std::vector<PictureItem> items = picture_items(scene);
-  renderer.SetUseDepthPeeling(1);
-  renderer.SetMaximumNumberOfPeels(most_peels);
-  renderer.SetOcclusionRatio(0);
+  peel_translucent_layers(renderer);
   add_actors(renderer, items, view, size, oversampling(options));
   if (options.labels == Shown::yes) {
     const std::vector<PictureLabel> labels = picture_labels(scene, view.position);

@@ -45,8 +45,8 @@ def require_display():
     display = x11.XOpenDisplay(None)
     if not display:
         end("ParaView draws on a display and finds none; without a screen run "
-            "`xvfb-run -a pvbatch view.py --screenshot FILE.png` (Debian packages xvfb and xauth)")
-    x11.XCloseDisplay(ctypes.c_void_p(display))
+            "`xvfb-run -a -s -noreset pvbatch view.py --screenshot FILE.png` (Debian packages xvfb and xauth)")
+    # Left open: an X server that starts anew when its last client goes would do so just before ParaView comes.
 
 
 def this_folder():

@@ -1,6 +1,4 @@
 #include <tbb/enumerable_thread_specific.h>
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -40,8 +38,8 @@ struct IrradianceOptions : CommonOptions {
   IrradianceLayout layout;
 };
 
-void add_options(CLI::App& app, IrradianceOptions& options) {
-  add_text(app, "SCENE", options.scene, "FILE", "Scene file")->required();
+void add_options(CommandLine& app, IrradianceOptions& options) {
+  add_required_text(app, "SCENE", options.scene, "FILE", "Scene file");
   add_text(app, "--at", options.at, "POINTS.csv|-",
            "Receivers as CSV with columns x,y,z,nx,ny,nz, or six numbers a line without a header; '-' reads them from\n"
            "stdin. Commas, semicolons, tabs or blanks separate; further columns are passed through");
@@ -196,10 +194,6 @@ ExitCode on_receiver(const IrradianceOptions& options, const Scene& scene) {
   const PreparedObstacles obstacles = scene_obstacles(scene);
   std::optional<std::array<std::uint32_t, 2>> shape;
   if (!options.shape.empty()) shape = whole_numbers<2>("--shape", options.shape, "nu,nv");
-  if (!shape && std::count_if(scene.receivers.begin(), scene.receivers.end(),
-                              [&](const SceneReceiver& r) { return r.is_called(options.on); }) == 1) {
-    throw UsageError("--on " + options.on + ": expected --shape nu,nv, as the receiver has one facet");
-  }
   ReceiverRows rows(scene, options.on, shape);
   if (!rows.has_finite_points()) {
     throw UnsupportedError(scene.source + ": receiver '" + options.on + "' is wider than doubles go (1.8e308)");
@@ -216,13 +210,13 @@ ExitCode on_receiver(const IrradianceOptions& options, const Scene& scene) {
 }  // namespace
 
 ExitCode irradiance_command(Arguments arguments) {
-  CLI::App app(
+  CommandLine app(
       "Tells for receivers, points with normals, the irradiance that each light gives them behind all blockers\n"
       "together, and a bound of its error.",
       "gnomon irradiance");
   IrradianceOptions options;
   add_options(app, options);
-  if (!parse_arguments(app, arguments)) return ExitCode::done;
+  if (!app.parse(arguments)) return ExitCode::done;
   require_table_places(options.out, options.json);
   if (options.out == "-") options.out.clear();
   if (options.at.empty() == options.on.empty()) throw UsageError("expected either --at POINTS.csv or --on RECEIVER");

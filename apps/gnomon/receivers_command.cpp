@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -30,9 +29,10 @@ struct ReceiversOptions : CommonOptions {
   std::string mesh;
 };
 
-void add_options(CLI::App& app, ReceiversOptions& options) {
-  add_text(app, "SCENE", options.scene, "FILE", "Scene file")->required();
-  add_text(app, "--out", options.out, "DIR", "Folder for the files; without it only areas are told");
+void add_options(CommandLine& app, ReceiversOptions& options) {
+  add_required_text(app, "SCENE", options.scene, "FILE", "Scene file");
+  add_text(app, "--out", options.out, "DIR",
+           "Folder for the files; without it only shares are told, with --json areas");
   add_json_option(app, options);
   add_text(app, "--mesh", options.mesh, "LIST",
            "With --json: tell the mesh too, some of faces,edges,polygons, each by its vertices");
@@ -98,13 +98,13 @@ ExitCode write_all(const ReceiversOptions& options, const std::vector<OutputForm
 }  // namespace
 
 ExitCode receivers_command(Arguments arguments) {
-  CLI::App app(
+  CommandLine app(
       "Divides each receiver by what it receives of each light behind all blockers together: exact regions, their\n"
       "areas, and the mesh of all discontinuities.",
       "gnomon receivers");
   ReceiversOptions options;
   add_options(app, options);
-  if (!parse_arguments(app, arguments)) return ExitCode::done;
+  if (!app.parse(arguments)) return ExitCode::done;
   const std::vector<OutputFormat> formats = tree_formats(options.format);
   if (mesh_parts(options.mesh).any() && options.json.empty()) throw UsageError("--mesh goes with --json FILE");
   require_place("--json", options.json, OutputKind::json);

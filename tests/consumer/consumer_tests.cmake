@@ -18,7 +18,10 @@ add_test(NAME Install.BringsPages COMMAND ${CMAKE_COMMAND} -E md5sum README.md C
   docs/pictures/figure_4_22.png geometry/references.md)
 set_tests_properties(Install.BringsPages PROPERTIES
   WORKING_DIRECTORY ${consumer_folder}/prefix/${CMAKE_INSTALL_DATADIR}/doc/gnomon)
-set_tests_properties(Install.BringsExamples Install.BringsPages PROPERTIES LABELS install
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+add_test(NAME Install.BringsPagesWithoutDeadLinks COMMAND ${Python3_EXECUTABLE}
+  ${CMAKE_CURRENT_SOURCE_DIR}/docs/dead_links.py ${consumer_folder}/prefix/${CMAKE_INSTALL_DATADIR}/doc/gnomon)
+set_tests_properties(Install.BringsExamples Install.BringsPages Install.BringsPagesWithoutDeadLinks PROPERTIES LABELS install
   FIXTURES_REQUIRED installed_gnomon)
 
 # gnomon_refusal_test(NAME SAYS regular-expression OPTIONS option...): a project that needs gnomon::viz is told why it

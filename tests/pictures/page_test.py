@@ -153,6 +153,15 @@ class Pages(unittest.TestCase):
         for color in (LIT, PENUMBRA, UMBRA):
             self.assertTrue(any(before.at(*place) == color for place in same), color)
 
+    def test_show_the_arrow_of_a_sun_in_their_corner_wherever_the_scene_lies(self):
+        sun = {"name": "sun", "shape": "direction", "direction": [1, 0, -2]}
+        for x in (0, 300):
+            self.open(scene([sun], [polygon("table", square(2, 2, x))], [("floor", square(9, 0, x))]))
+            picture = self.browser.screenshot()
+            yellow = [(r, g, b) for y in range(0, 150) for x in range(600, 800) for r, g, b in [picture.at(x, y)]
+                      if r > 150 and g > 110 and b < 90]
+            self.assertGreater(len(yellow), 300)
+
     def test_select_no_words_while_they_are_dragged(self):
         self.open(PLANE)
         self.browser.drag((500, 300), (560, 480))

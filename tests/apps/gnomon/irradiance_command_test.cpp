@@ -121,6 +121,11 @@ TEST_F(IrradianceOnAReceiver, SpreadsPointsInTheMiddlesOfCells) {
   EXPECT_THAT(run.err, HasSubstr("receiver \"ceiling\": it is turned from every light"));
 }
 
+TEST_F(IrradianceOnAReceiver, AsksAtTheMeanOfTheCornersWithoutAShape) {
+  EXPECT_THAT(lines(gnomon("irradiance room.scene.json --on floor").out),
+              ElementsAre(HasSubstr("irradiance"), StartsWith("0,0,0,0,0,1,bulb,1,")));
+}
+
 TEST_F(IrradianceOnAReceiver, CountsLightFromItsFrontAlone) {
   EXPECT_THAT(lines(gnomon("irradiance room.scene.json --on ceiling --shape 1,1").out),
               ElementsAre(HasSubstr("irradiance"), "0,0,0,0,0,-1,bulb,0,0"));
@@ -149,7 +154,7 @@ TEST_F(IrradianceOnAReceiver, RefusesUnknownReceiversAndMissingOrBadShapes) {
   const Outcome unknown = gnomon("irradiance room.scene.json --on wall --shape 2,2");
   EXPECT_EQ(unknown.code, 2);
   EXPECT_THAT(unknown.err, HasSubstr("--on: the scene has no receiver 'wall'; it has 'floor', 'ceiling'"));
-  for (const std::string arguments : {"--on floor", "--shape 2,2", "", "--on floor --shape 2", "--on floor --shape 2,0",
+  for (const std::string arguments : {"--shape 2,2", "", "--on floor --shape 2", "--on floor --shape 2,0",
                                       "--on floor --shape 2,2 --at points.csv"}) {
     EXPECT_EQ(gnomon("irradiance room.scene.json " + arguments).code, 2) << arguments;
   }
