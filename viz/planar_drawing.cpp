@@ -13,7 +13,7 @@ namespace {
 
 constexpr double edge_width = 1.5;
 /// With more lines than this, names would cover the drawing.
-constexpr std::size_t most_names = 12;
+constexpr std::size_t most_line_names = 12;
 /// On shorter lines names would hide each other.
 constexpr double shortest_labelled = 120;
 constexpr double line_width = 2;
@@ -82,7 +82,7 @@ void add_lines(PlanarDrawing& drawing, const PictureSource& source, const std::s
 /// Names at four fifths of their lines, pushed apart where they meet.
 void add_names(PlanarDrawing& drawing, const PictureSource& source, const std::string& light) {
   const std::map<std::string, NamedLine> lines = named_lines(source, light);
-  if (lines.size() > most_names) return;
+  if (lines.size() > most_line_names) return;
   const double unit = drawing.unit_per_pixel;
   std::vector<Mark> marks;
   std::vector<LabelBox> boxes;

@@ -116,7 +116,7 @@ Box3 box_around(const Scene& scene) {
 }
 
 /// How far the way leads from the middle of a box to its border.
-double way_out(const Box3& box, const Point3& way) {
+double distance_out(const Box3& box, const Point3& way) {
   const auto along = [](double side, double step) { return step == 0 ? HUGE_VAL : side / 2 / std::abs(step); };
   return std::min(
       {along(box.max.x - box.min.x, way.x), along(box.max.y - box.min.y, way.y), along(box.max.z - box.min.z, way.z)});
@@ -130,7 +130,7 @@ vtkSmartPointer<vtkPolyData> arrow(const Point3& direction, const Scene& scene, 
   const double diagonal = length(box.max - box.min);
   const double size = diagonal > 0 && std::isfinite(diagonal) ? diagonal : 1;
   const Point3 way = unit(direction);
-  const Point3 tip = middle - (way_out(box, way) + 0.03 * size) * way;
+  const Point3 tip = middle - (distance_out(box, way) + 0.03 * size) * way;
   const Point3 aside = unit(cross(way, std::abs(way.z) < 0.9 ? Point3{0, 0, 1} : Point3{1, 0, 0}));
   const Point3 other = cross(way, aside);
   std::vector<Point3> points = {tip - 0.15 * size * way, tip};

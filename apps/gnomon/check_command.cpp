@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -123,17 +122,17 @@ std::string check_text(const Scene& scene, const RecognisedElements& elements, c
 }  // namespace
 
 ExitCode check_command(Arguments arguments) {
-  CLI::App app("Validates a scene file and prints what was recognised, every doubt, and every pair's position.",
-               "gnomon check");
+  CommandLine app("Validates a scene file and prints what was recognised, every doubt, and every pair's position.",
+                  "gnomon check");
   CommonOptions options;
-  add_text(app, "SCENE", options.scene, "FILE", "Scene file")->required();
+  add_required_text(app, "SCENE", options.scene, "FILE", "Scene file");
   add_json_option(app, options);
   add_quiet_option(app, options);
   app.footer(
       "Examples:\n"
       "  gnomon check examples/figure_4_22.scene.json\n"
       "  gnomon check examples/cornell_box.scene.json --json -\n");
-  if (!parse_arguments(app, arguments)) return ExitCode::done;
+  if (!app.parse(arguments)) return ExitCode::done;
 
   require_place("--json", options.json, OutputKind::json);
   const Scene scene = scene_file(options.scene);

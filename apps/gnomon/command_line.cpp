@@ -61,16 +61,83 @@ std::string one_line(std::string help) {
   return help;
 }
 
-}  // namespace
-
-CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& text, const std::string& type,
-                      const std::string& help) {
-  // An empty text is a variable that a script forgot to set, not a wish for the default.
-  const auto refuse_empty = [](const std::string& value) { return std::string(value.empty() ? "is empty" : ""); };
-  return app.add_option(name, text, one_line(help))->type_name(type)->check(refuse_empty);
+/// What is said of words that no option takes.
+std::string unexpected_text(const CLI::App& app) {
+  const std::vector<std::string> words = app.remaining();
+  const auto is_option = [](const std::string& word) { return word.starts_with("--"); };
+  const auto option = std::find_if(words.begin(), words.end(), is_option);
+  if (option == words.end()) return "unexpected argument '" + words.back() + "'";
+  std::vector<std::string> names;
+  for (const CLI::Option* known : app.get_options()) {
+    for (const std::string& name : known->get_lnames()) names.push_back("--" + name);
+  }
+  const std::vector<std::string_view> candidates(names.begin(), names.end());
+  return "unknown option '" + *option + "'; the nearest is '" + std::string(nearest_word(*option, candidates)) + "'";
 }
 
-void add_pair_options(CLI::App& app, CommonOptions& options) {
+}  // namespace
+
+CommandLine::CommandLine(const std::string& description, const std::string& name)
+    : app_(std::make_unique<CLI::App>(description, name)) {
+  app_->set_help_flag("-h,--help", "Print this text");
+}
+CommandLine::~CommandLine() = default;
+
+void CommandLine::add_text(const std::string& name, std::string& text, const std::string& type, const std::string& help,
+                           bool is_required) {
+  // An empty text is a variable that a script forgot to set, not a wish for the default.
+  const auto refuse_empty = [](const std::string& value) { return std::string(value.empty() ? "is empty" : ""); };
+  app_->add_option(name, text, one_line(help))->type_name(type)->check(refuse_empty)->required(is_required);
+}
+
+void CommandLine::add_flag(const std::string& name, bool& flag, const std::string& help) {
+  app_->add_flag(name, flag, one_line(help));
+}
+
+void CommandLine::add_number(const std::string& name, std::uint32_t& number, const std::string& type,
+                             std::uint32_t least, std::uint32_t most, const std::string& help) {
+  const std::string range = std::to_string(least) + " to " + std::to_string(most);
+  app_->add_option(name, number, one_line(help))->type_name(type)->check(CLI::Range(least, most, range));
+}
+
+void CommandLine::add_number(const std::string& name, std::uint64_t& number, const std::string& type,
+                             const std::string& help) {
+  app_->add_option(name, number, one_line(help))->type_name(type);
+}
+
+void CommandLine::footer(const std::string& text) {
+  app_->footer(text);
+}
+
+bool CommandLine::parse(Arguments arguments) {
+  // Looked for before parsing, so that help is given even where a required option is missing.
+  const auto asks_for_help = [](const std::string& word) { return word == "-h" || word == "--help"; };
+  if (std::any_of(arguments.begin(), arguments.end(), asks_for_help)) {
+    std::cout << in_columns(app_->help());
+    return false;
+  }
+  std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // the order CLI11 asks for
+  try {
+    app_->parse(std::move(reversed));
+  } catch (const CLI::ExtrasError&) {
+    throw UsageError(unexpected_text(*app_));
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(error.what());
+  }
+  return true;
+}
+
+void add_text(CommandLine& app, const std::string& name, std::string& text, const std::string& type,
+              const std::string& help) {
+  app.add_text(name, text, type, help, false);
+}
+
+void add_required_text(CommandLine& app, const std::string& name, std::string& text, const std::string& type,
+                       const std::string& help) {
+  app.add_text(name, text, type, help, true);
+}
+
+void add_pair_options(CommandLine& app, CommonOptions& options) {
   add_text(app, "--box", options.box, "xmin,ymin,zmin,xmax,ymax,zmax",
            "Cut unbounded volumes by this box (default: the scene's, grown by half its diagonal); in scenes of "
            "dimension 2 xmin,ymin,xmax,ymax");
@@ -80,32 +147,17 @@ void add_pair_options(CLI::App& app, CommonOptions& options) {
   add_quiet_option(app, options);
 }
 
-void add_threads_option(CLI::App& app, CommonOptions& options) {
-  app.add_option("--threads", options.threads, "Number of threads (default: one per processor)")
-      ->type_name("N")
-      ->check(CLI::Range(1U, 1024U, "1 to 1024"));
+void add_threads_option(CommandLine& app, CommonOptions& options) {
+  app.add_number("--threads", options.threads, "N", 1, 1024, "Number of threads (default: one per processor)");
 }
 
-void add_json_option(CLI::App& app, CommonOptions& options) {
+void add_json_option(CommandLine& app, CommonOptions& options) {
   add_text(app, "--json", options.json, "FILE",
            "Write the result as JSON; '-' writes it to stdout, and nothing else there");
 }
 
-void add_quiet_option(CLI::App& app, CommonOptions& options) {
+void add_quiet_option(CommandLine& app, CommonOptions& options) {
   app.add_flag("--quiet", options.quiet, "No summary and no progress; warnings and errors only");
-}
-
-bool parse_arguments(CLI::App& app, Arguments arguments) {
-  app.set_help_flag("-h,--help", "Print this text");
-  // Looked for before parsing, so that help is given even where a required option is missing.
-  const auto asks_for_help = [](const std::string& word) { return word == "-h" || word == "--help"; };
-  if (std::any_of(arguments.begin(), arguments.end(), asks_for_help)) {
-    std::cout << in_columns(app.help());
-    return false;
-  }
-  std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // the order CLI11 asks for
-  app.parse(std::move(reversed));
-  return true;
 }
 
 Box3 clip_box(const Scene& scene, const std::string& box_option) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -14,10 +15,38 @@
 
 namespace CLI {
 class App;
-class Option;
 }  // namespace CLI
 
 namespace gnomon {
+
+/// The options of one command, each bound to a variable that outlives this, and its help.
+class CommandLine {
+ public:
+  CommandLine(const std::string& description, const std::string& name);
+  ~CommandLine();
+  CommandLine(const CommandLine&) = delete;
+  CommandLine& operator=(const CommandLine&) = delete;
+
+  /// An option or positional argument with a text that must not be empty; `type` is how help calls the text.
+  void add_text(const std::string& name, std::string& text, const std::string& type, const std::string& help,
+                bool is_required);
+  void add_flag(const std::string& name, bool& flag, const std::string& help);
+  void add_number(const std::string& name, std::uint32_t& number, const std::string& type, std::uint32_t least,
+                  std::uint32_t most, const std::string& help);
+  void add_number(const std::string& name, std::uint64_t& number, const std::string& type, const std::string& help);
+
+  /// What the help ends with.
+  void footer(const std::string& text);
+
+  /// Reads the arguments into the variables.
+  ///
+  /// Returns: false if help was asked for; it has been printed, and nothing else is to be done.
+  /// Throws:  UsageError.
+  bool parse(Arguments arguments);
+
+ private:
+  std::unique_ptr<CLI::App> app_;
+};
 
 /// The options that the commands have in common; each takes those that mean something to it.
 struct CommonOptions {
@@ -30,27 +59,23 @@ struct CommonOptions {
   bool quiet = false;
 };
 
-/// Adds an option or positional argument with a text that must not be empty; `type` is how help calls the text.
-CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& text, const std::string& type,
-                      const std::string& help);
+/// Adds an option or positional argument that may be left out, or must be there: see CommandLine.
+void add_text(CommandLine& app, const std::string& name, std::string& text, const std::string& type,
+              const std::string& help);
+void add_required_text(CommandLine& app, const std::string& name, std::string& text, const std::string& type,
+                       const std::string& help);
 
 /// Adds --box, --light, --blocker, --threads and --quiet.
-void add_pair_options(CLI::App& app, CommonOptions& options);
+void add_pair_options(CommandLine& app, CommonOptions& options);
 
 /// Adds --json.
-void add_json_option(CLI::App& app, CommonOptions& options);
+void add_json_option(CommandLine& app, CommonOptions& options);
 
 /// Adds --threads.
-void add_threads_option(CLI::App& app, CommonOptions& options);
+void add_threads_option(CommandLine& app, CommonOptions& options);
 
 /// Adds --quiet alone.
-void add_quiet_option(CLI::App& app, CommonOptions& options);
-
-/// Reads the arguments into the variables that the options of `app` are bound to.
-///
-/// Returns: false if help was asked for; it has been printed, and nothing else is to be done.
-/// Throws:  CLI::ParseError.
-bool parse_arguments(CLI::App& app, Arguments arguments);
+void add_quiet_option(CommandLine& app, CommonOptions& options);
 
 /// The box that cuts a scene's volumes: the one given with --box, or else the scene's default.
 ///

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -29,8 +28,8 @@ struct DiscontinuitiesOptions : CommonOptions {
   std::string format = "vtm";
 };
 
-void add_options(CLI::App& app, DiscontinuitiesOptions& options) {
-  add_text(app, "SCENE", options.scene, "FILE", "Scene file")->required();
+void add_options(CommandLine& app, DiscontinuitiesOptions& options) {
+  add_required_text(app, "SCENE", options.scene, "FILE", "Scene file");
   add_text(app, "--out", options.out, "DIR", "Folder for the files; may be left out where --json is given");
   add_json_option(app, options);
   add_text(app, "--light", options.light, "NAME", "Only this light");
@@ -89,13 +88,13 @@ std::string summary(const DiscontinuityResult& result) {
 }  // namespace
 
 ExitCode discontinuities_command(Arguments arguments) {
-  CLI::App app(
+  CommandLine app(
       "Computes the surfaces in space across which the visible fraction of a light changes its formula because an\n"
       "edge and a vertex are in line, with their order D0, D1 or D2.",
       "gnomon discontinuities");
   DiscontinuitiesOptions options;
   add_options(app, options);
-  if (!parse_arguments(app, arguments)) return ExitCode::done;
+  if (!app.parse(arguments)) return ExitCode::done;
   if (options.out.empty() && options.json.empty()) {
     throw UsageError("nothing to write: give a folder with --out, or a file with --json");
   }

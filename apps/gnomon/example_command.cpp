@@ -119,7 +119,7 @@ void print_example(const std::string& name, const std::vector<std::string>& file
 }  // namespace
 
 ExitCode example_command(Arguments arguments) {
-  CLI::App app("Prints an example that is installed with the program, or the list of them.", "gnomon example");
+  CommandLine app("Prints an example that is installed with the program, or the list of them.", "gnomon example");
   std::string name, out;
   add_text(app, "NAME", name, "NAME", "A scene, or another file, of the list; without it the list");
   add_text(app, "--out", out, "DIR", "Copy the example into this folder, with the files that it needs");
@@ -127,7 +127,7 @@ ExitCode example_command(Arguments arguments) {
       "Examples:\n"
       "  gnomon example\n"
       "  gnomon example letter_block --out examples_of_gnomon\n");
-  if (!parse_arguments(app, arguments)) return ExitCode::done;
+  if (!app.parse(arguments)) return ExitCode::done;
   if (name.empty() && !out.empty()) throw UsageError("--out copies an example: name one");
   const fs::path folder = example_folder();
   if (name.empty()) {

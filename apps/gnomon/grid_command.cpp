@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <array>
 #include <atomic>
 #include <iostream>
@@ -26,13 +25,13 @@ struct GridOptions : CommonOptions {
   std::string out;
 };
 
-void add_options(CLI::App& app, GridOptions& options) {
-  add_text(app, "SCENE", options.scene, "FILE", "Scene file")->required();
-  add_text(app, "--shape", options.shape, "nx,ny,nz", "Number of points along x, y and z")->required();
+void add_options(CommandLine& app, GridOptions& options) {
+  add_required_text(app, "SCENE", options.scene, "FILE", "Scene file");
+  add_required_text(app, "--shape", options.shape, "nx,ny,nz", "Number of points along x, y and z");
   add_text(app, "--box", options.box, "xmin,ymin,zmin,xmax,ymax,zmax",
            "The grid runs from corner to corner of this box (default: the scene's, grown by half its diagonal); a\n"
            "single point along an axis lies in the middle");
-  add_text(app, "--out", options.out, "FILE.vti", "Write this file")->required();
+  add_required_text(app, "--out", options.out, "FILE.vti", "Write this file");
   add_text(app, "--light", options.light, "NAME", "Only this light");
   add_threads_option(app, options);
   add_quiet_option(app, options);
@@ -68,13 +67,13 @@ std::vector<GridValues> grid_values(const PointGrid& grid, const RegionFinder& f
 }  // namespace
 
 ExitCode grid_command(Arguments arguments) {
-  CLI::App app(
+  CommandLine app(
       "Tells for the points of a grid what they receive of each light behind all blockers together, as VTK image\n"
       "data: the region, decided exactly, the visible fraction, and a bound of its error.",
       "gnomon grid");
   GridOptions options;
   add_options(app, options);
-  if (!parse_arguments(app, arguments)) return ExitCode::done;
+  if (!app.parse(arguments)) return ExitCode::done;
   require_place("--out", options.out, OutputKind::image);
   const std::array<std::uint32_t, 3> shape = whole_numbers<3>("--shape", options.shape, "nx,ny,nz");
   const Scene scene = scene_file_with_warnings(options.scene);

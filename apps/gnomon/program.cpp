@@ -1,6 +1,5 @@
 #include "apps/gnomon/program.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <exception>
@@ -122,8 +121,6 @@ int run_program(const ProgramText& program, int argc, char** argv) {
     code = run(program, words);
     finish_stdout();
   } catch (const UsageError& error) {
-    code = misuse(program, words, error.what());
-  } catch (const CLI::ParseError& error) {
     code = misuse(program, words, error.what());
   } catch (const UnsupportedSceneError& error) {
     code = fail(ExitCode::unsupported, error.what());

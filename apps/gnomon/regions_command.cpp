@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -26,14 +25,13 @@ struct RegionsOptions : CommonOptions {
   std::string out;
 };
 
-void add_options(CLI::App& app, RegionsOptions& options) {
-  add_text(app, "SCENE", options.scene, "FILE", "Scene file")->required();
-  add_text(
+void add_options(CommandLine& app, RegionsOptions& options) {
+  add_required_text(app, "SCENE", options.scene, "FILE", "Scene file");
+  add_required_text(
       app, "--at", options.at, "POINTS.csv|-",
       "Points as CSV with columns x,y,z (x,y in the plane) or x,y,z,nx,ny,nz, or so many numbers a line without a\n"
       "header; '-' reads them from stdin. Commas, semicolons, tabs or blanks separate; further columns are\n"
-      "passed through")
-      ->required();
+      "passed through");
   add_text(app, "--out", options.out, "FILE", "Write the CSV to this file (default: to stdout)");
   add_json_option(app, options);
   add_text(app, "--light", options.light, "NAME", "Only this light");
@@ -139,13 +137,13 @@ ExitCode write_regions(const RegionsOptions& options, const Scene& scene, std::i
 }  // namespace
 
 ExitCode regions_command(Arguments arguments) {
-  CLI::App app(
+  CommandLine app(
       "Tells for points what they receive of each light behind all blockers together: the region, decided\n"
       "exactly, the visible fraction of the light, and a bound of its error.",
       "gnomon regions");
   RegionsOptions options;
   add_options(app, options);
-  if (!parse_arguments(app, arguments)) return ExitCode::done;
+  if (!app.parse(arguments)) return ExitCode::done;
   require_table_places(options.out, options.json);
   if (options.out == "-") options.out.clear();
   const Scene scene = scene_file_with_warnings(options.scene);

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <charconv>
 #include <filesystem>
 #include <iostream>
@@ -42,10 +41,10 @@ struct RenderOptions : CommonOptions {
   bool without_labels = false;
 };
 
-void add_options(CLI::App& app, RenderOptions& options) {
-  add_text(app, "SCENE|DIR", options.scene, "PATH", "Scene file, or a folder that a command has written")->required();
-  add_text(app, "--out", options.out, "FILE", std::string("The picture; its ending says what it is: ") + endings)
-      ->required();
+void add_options(CommandLine& app, RenderOptions& options) {
+  add_required_text(app, "SCENE|DIR", options.scene, "PATH", "Scene file, or a folder that a command has written");
+  add_required_text(app, "--out", options.out, "FILE",
+                    std::string("The picture; its ending says what it is: ") + endings);
   add_text(app, "--size", options.size, "WxH", "Width and height in pixels (default: 1280x960)");
   add_text(app, "--camera", options.camera, "CAMERA",
            "three-quarter (default), front, back, left, right, top or bottom; or the place x,y,z of the camera, the "
@@ -223,12 +222,12 @@ ExitCode render_scene_file(const RenderOptions& options, const PictureOptions& p
 }  // namespace
 
 ExitCode render_command(Arguments arguments) {
-  CLI::App app(
+  CommandLine app(
       "Makes a picture of lights, blockers, receivers and shadow volumes: pixels, a drawing, or a page that turns.",
       "gnomon render");
   RenderOptions options;
   add_options(app, options);
-  if (!parse_arguments(app, arguments)) return ExitCode::done;
+  if (!app.parse(arguments)) return ExitCode::done;
   const PictureOptions picture = picture_options(options);
   std::error_code error;
   const bool is_folder = fs::is_directory(options.scene, error);

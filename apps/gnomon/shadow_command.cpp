@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -36,7 +35,7 @@ struct ShadowOptions : CommonOptions {
   bool merge = false;
 };
 
-void add_options(CLI::App& app, ShadowOptions& options) {
+void add_options(CommandLine& app, ShadowOptions& options) {
   add_text(app, "SCENE", options.scene, "FILE", "Scene file; without it the scene that is built in");
   add_text(app, "--out", options.out, "DIR", "Folder for the files; may be left out where --json is given");
   add_json_option(app, options);
@@ -138,13 +137,13 @@ ExitCode write_series(const ShadowOptions& options, const Scene& scene) {
 }  // namespace
 
 ExitCode shadow_command(Arguments arguments) {
-  CLI::App app(
+  CommandLine app(
       "Computes the extremal planes and the exact occlusion, umbra and penumbra volumes of every pair of a\n"
       "light and a blocker, and writes them for ParaView; in scenes of dimension 2 lines and regions.",
       "gnomon shadow");
   ShadowOptions options;
   add_options(app, options);
-  if (!parse_arguments(app, arguments)) return ExitCode::done;
+  if (!app.parse(arguments)) return ExitCode::done;
   check_usage(options);
   const std::vector<OutputFormat> output_formats = formats(options.format);
   const Scene scene = options.scene.empty() ? parse_scene(default_scene_text(), "default", ".")

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
 #include <string>
@@ -26,10 +25,9 @@ struct ReportOptions : CommonOptions {
   report::Effort effort() const { return quick ? report::Effort::quick : report::Effort::full; }
 };
 
-void add_options(CLI::App& app, ReportOptions& options) {
-  add_text(app, "--out", options.out, "DIR",
-           "Write report.md, report.json, tables (.csv) and plots (.svg) into this folder")
-      ->required();
+void add_options(CommandLine& app, ReportOptions& options) {
+  add_required_text(app, "--out", options.out, "DIR",
+                    "Write report.md, report.json, tables (.csv) and plots (.svg) into this folder");
   app.add_flag("--quick", options.quick, "Fewer points and sizes: within a minute, instead of a quarter of an hour");
   add_quiet_option(app, options);
   app.footer(
@@ -115,12 +113,12 @@ void print_findings(const report::Report& report) {
 }  // namespace
 
 ExitCode report_command(Arguments arguments) {
-  CLI::App app(
+  CommandLine app(
       "Measures speed against error of gnomon and of other ways, tries hard cases, and writes a report with plots.",
       "gnomon report");
   ReportOptions options;
   add_options(app, options);
-  if (!parse_arguments(app, arguments)) return ExitCode::done;
+  if (!app.parse(arguments)) return ExitCode::done;
   viz::StagedFolder staged(options.out);  // first, so that a folder that cannot be made is told at once
   const Progress::Visibility shown = progress_visibility(options.quiet, false);
   report::Report report;

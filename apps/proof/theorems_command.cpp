@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -34,11 +33,10 @@ struct TheoremsOptions : CommonOptions {
   Effort effort() const { return {threads, !quiet}; }
 };
 
-void add_options(CLI::App& app, TheoremsOptions& options) {
-  app.add_option("--cases", options.cases, "Cases of every statement, half of them nearly degenerate (default: 1000)")
-      ->type_name("N")
-      ->check(CLI::Range(1U, 1000000000U, "1 to 1000000000"));
-  app.add_option("--seed", options.seed, "The cases are the same for the same seed (default: 1)")->type_name("S");
+void add_options(CommandLine& app, TheoremsOptions& options) {
+  app.add_number("--cases", options.cases, "N", 1, 1'000'000'000,
+                 "Cases of every statement, half of them nearly degenerate (default: 1000)");
+  app.add_number("--seed", options.seed, "S", "The cases are the same for the same seed (default: 1)");
   add_text(app, "--only", options.only, "KEY,...", "Only these statements");
   add_text(app, "--out", options.out, "DIR", "Write counterexamples as scenes, points and pictures into this folder");
   add_json_option(app, options);
@@ -178,13 +176,13 @@ ExitCode check_theorems(const TheoremsOptions& options) {
 }  // namespace
 
 ExitCode theorems_command(Arguments arguments) {
-  CLI::App app(
+  CommandLine app(
       "Checks the statements of the theory that the program rests on, on random and on nearly degenerate cases, and\n"
       "shows that the false ones are false.",
       "gnomon theorems");
   TheoremsOptions options;
   add_options(app, options);
-  if (!parse_arguments(app, arguments)) return ExitCode::done;
+  if (!app.parse(arguments)) return ExitCode::done;
   if (options.mutants && (!options.mutant.empty() || !options.out.empty())) {
     throw UsageError("--mutants tries every mistake and writes no scenes; leave out --mutant and --out");
   }

@@ -37,7 +37,7 @@ using Point = Kernel::Point_2;
 using Number = Kernel::FT;
 using Vector = Kernel::Vector_2;
 
-Number cross(const Vector& a, const Vector& b) {
+Number flat_cross(const Vector& a, const Vector& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
@@ -70,11 +70,11 @@ class Shot {
 
   void meet(const Point& p, const Point& q) {
     const Vector to_p = p - start_, to_q = q - start_;
-    const Number at_p = cross(way_, to_p), at_q = cross(way_, to_q);
+    const Number at_p = flat_cross(way_, to_p), at_q = flat_cross(way_, to_q);
     if (at_p == 0) keep(to_p * way_ / (way_ * way_));
     if (at_q == 0) keep(to_q * way_ / (way_ * way_));
     if (at_p == 0 || at_q == 0 || (at_p < 0) == (at_q < 0)) return;
-    keep(cross(to_p, to_q) / (at_q - at_p));
+    keep(flat_cross(to_p, to_q) / (at_q - at_p));
   }
 
   Point half_way() const { return start_ + *least_ / 2 * way_; }

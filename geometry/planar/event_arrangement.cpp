@@ -14,7 +14,7 @@ using Point = ExactKernel::Point_2;
 using Vector = ExactKernel::Vector_2;
 using Number = ExactKernel::FT;
 using Curve = NumberedTraits::Curve_2;
-using Halfedge = EventArrangement::Halfedge_const_handle;
+using ConstHalfedge = EventArrangement::Halfedge_const_handle;
 
 Point point(const Point2& p) {
   return {p.x, p.y};
@@ -176,7 +176,7 @@ void add_box(const Box2& box, CurveList& list) {
   }
 }
 
-Vector way_of(Halfedge edge) {
+Vector way_of(ConstHalfedge edge) {
   return edge->target()->point() - edge->source()->point();
 }
 
@@ -185,7 +185,7 @@ void keep_least(std::optional<Number>& least, const Number& s) {
 }
 
 /// The first place where the ray from `start` along `way` meets an edge.
-void shoot(const Point& start, const Vector& way, Halfedge edge, std::optional<Number>& least) {
+void shoot(const Point& start, const Vector& way, ConstHalfedge edge, std::optional<Number>& least) {
   const Vector to_source = edge->source()->point() - start, to_target = edge->target()->point() - start;
   const Number at_source = cross(way, to_source), at_target = cross(way, to_target);
   if (at_source == 0) keep_least(least, to_source * way / (way * way));
@@ -195,10 +195,10 @@ void shoot(const Point& start, const Vector& way, Halfedge edge, std::optional<N
 }
 
 void shoot_cycle(const Point& start, const Vector& way, EventArrangement::Ccb_halfedge_const_circulator cycle,
-                 Halfedge own, std::optional<Number>& least) {
+                 ConstHalfedge own, std::optional<Number>& least) {
   auto edge = cycle;
   do {
-    if (Halfedge(edge) != own) shoot(start, way, edge, least);
+    if (ConstHalfedge(edge) != own) shoot(start, way, edge, least);
   } while (++edge != cycle);
 }
 
@@ -221,12 +221,12 @@ void build_arrangement(const Flatland& flatland, const PartitionOptions& options
   CGAL::insert(arrangement, list.curves().begin(), list.curves().end());
 }
 
-Point inner_point(Halfedge edge) {
+Point inner_point(ConstHalfedge edge) {
   return CGAL::midpoint(edge->source()->point(), edge->target()->point());
 }
 
 Point inner_point(EventArrangement::Face_const_handle face) {
-  const Halfedge edge = *face->outer_ccbs_begin();
+  const ConstHalfedge edge = *face->outer_ccbs_begin();
   const Point start = inner_point(edge);
   const Vector way = way_of(edge).perpendicular(CGAL::COUNTERCLOCKWISE);
   std::optional<Number> least;

@@ -9,7 +9,7 @@
 namespace gnomon {
 namespace {
 
-using Kind = PlaneDefinition::Kind;
+using PlaneKind = PlaneDefinition::Kind;
 constexpr std::uint32_t no_input = VertexDefinition::none;
 
 template <class Number>
@@ -58,7 +58,7 @@ Quadruple<ExactReal> middle_of(const Quadruple<ExactReal>& u, const Quadruple<Ex
 
 bool has_point(const PlaneDefinition& plane, const Point3& p) {
   const auto& [a, b, c] = plane.points;
-  return p == a || p == b || (p == c && plane.kind == Kind::points);
+  return p == a || p == b || (p == c && plane.kind == PlaneKind::points);
 }
 
 }  // namespace
@@ -67,7 +67,7 @@ ExactSpace::ExactSpace(const HalfSpace& downward_half_space) {
   planes_.reserve(64);
   vertices_.reserve(128);
   inputs_.reserve(64);
-  add({.kind = Kind::infinity, .name = {FacetKind::clip_box}});
+  add({.kind = PlaneKind::infinity, .name = {FacetKind::clip_box}});
   add_plane(downward_half_space);
 }
 
@@ -79,13 +79,13 @@ PlaneId ExactSpace::add(const PlaneDefinition& definition) {
 }
 
 PlaneId ExactSpace::add_plane(const HalfSpace& half_space) {
-  const Kind kind = half_space.third_is_direction ? Kind::points_direction : Kind::points;
+  const PlaneKind kind = half_space.third_is_direction ? PlaneKind::points_direction : PlaneKind::points;
   return add({.kind = kind, .name = half_space.name, .points = half_space.plane});
 }
 
 PlaneId ExactSpace::add_box_side(const Box3& box, int side) {
   const double bounds[] = {box.min.x, box.max.x, box.min.y, box.max.y, box.min.z, box.max.z};
-  return add({.kind = Kind::axis,
+  return add({.kind = PlaneKind::axis,
               .name = {FacetKind::clip_box, side},
               .axis = static_cast<std::uint32_t>(side / 2),
               .sign = side % 2 == 0 ? -1.0 : 1.0,
@@ -94,7 +94,7 @@ PlaneId ExactSpace::add_box_side(const Box3& box, int side) {
 
 PlaneId ExactSpace::add_apex_plane(const Point3& apex, std::uint32_t axis, double sign, double bound, int scale) {
   PlaneDefinition definition = planes_[downward].definition;
-  definition.kind = Kind::apex;
+  definition.kind = PlaneKind::apex;
   definition.apex = apex;
   definition.axis = axis;
   definition.sign = sign;
@@ -228,12 +228,12 @@ bool ExactSpace::goes_through(PlaneId plane, VertexId vertex) const {
   const PlaneDefinition& p = planes_[plane].definition;
   if (v.middle) return false;
   if (v.input == no_input && std::find(v.planes.begin(), v.planes.end(), plane) != v.planes.end()) return true;
-  if (p.kind != Kind::points && p.kind != Kind::points_direction) return false;
+  if (p.kind != PlaneKind::points && p.kind != PlaneKind::points_direction) return false;
   if (v.line != no_input) return has_point(p, inputs_[v.line].first) && has_point(p, inputs_[v.line].second);
   if (v.input == no_input) return false;
   const InputVertex& input = inputs_[v.input];
   if (input.kind == InputVertex::Kind::point) return has_point(p, input.first);
-  return input.kind == InputVertex::Kind::vector && p.kind == Kind::points_direction && p.points[2] == input.first;
+  return input.kind == InputVertex::Kind::vector && p.kind == PlaneKind::points_direction && p.points[2] == input.first;
 }
 
 Interval ExactSpace::height(PlaneId plane, const Point3& point, int scale) const {
@@ -247,7 +247,7 @@ Interval ExactSpace::height(PlaneId plane, const Point3& point, int scale) const
 /// The value of a plane at a point.
 Interval ExactSpace::approximate_height(const Plane& plane, const Quadruple<Interval>& point) {
   const PlaneDefinition& p = plane.definition;
-  if (p.kind != Kind::axis) return value(plane.approximate, point);
+  if (p.kind != PlaneKind::axis) return value(plane.approximate, point);
   const Interval beyond = point[p.axis] - p.bound * point[3];
   return p.sign > 0 ? beyond : -beyond;
 }
