@@ -3,7 +3,6 @@
 /// The region of a point by intervals, where these tell. Private to this folder.
 
 #include <array>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -11,6 +10,8 @@
 #include "geometry/discontinuity/event_scene.h"
 #include "geometry/discontinuity/light_before.h"
 #include "geometry/discontinuity/receiver_plane.h"
+#include "geometry/discontinuity/seen_vertices.h"
+#include "geometry/discontinuity/vertex_shadows.h"
 #include "geometry/region.h"
 
 namespace gnomon::event {
@@ -24,49 +25,6 @@ struct QuickAnswer {
   std::optional<std::array<std::uint32_t, 2>> witness{};
 };
 
-/// For every light vertex and blocker the half-spaces of the shadow that the vertex alone would throw.
-///
-/// Requires: the rounding mode is protected while any member runs.
-class VertexShadows {
- public:
-  explicit VertexShadows(const EventScene& scene);
-
-  enum class Answer { hidden, seen, unknown };
-  /// Whether a shape hides a light vertex from a point. Exactness: intervals; unknown where they do not tell.
-  Answer ask(std::uint32_t light_vertex, ShapeId shape, const PointEnclosure& p) const;
-
-  /// False if nothing is known, because the light vertex lies in the plane of a face of the shape.
-  bool knows(std::uint32_t light_vertex, ShapeId shape) const { return range(light_vertex, shape).count > 0; }
-
-  /// True if the closed shadow holds a point near `near`; exact: the point itself is asked for only if need be.
-  bool holds(std::uint32_t light_vertex, ShapeId shape, const PointEnclosure& near,
-             const std::function<ExactVector()>& exact_point) const;
-
- private:
-  /// A side of a shadow: positive inside, the plane of three points.
-  struct Side {
-    std::array<Interval, 3> normal{Interval(0), Interval(0), Interval(0)};
-    Point3 origin;
-    std::array<PointId, 3> points{};
-    int sign = 1;
-  };
-  struct Range {
-    std::uint32_t first = 0;
-    std::uint32_t count = 0;  ///< 0: nothing is known
-  };
-
-  const Range& range(std::uint32_t light_vertex, ShapeId shape) const {
-    return ranges_[light_vertex * scene_.shapes.size() + shape];
-  }
-  void add(PointId light, const Shape& shape);
-  bool add_side(const std::array<PointId, 3>& points, PointId inside, const Shape& shape);
-  Interval value(const Side& side, const PointEnclosure& p) const;
-
-  const EventScene& scene_;
-  std::vector<Side> sides_;
-  std::vector<Range> ranges_;  ///< light vertex by light vertex
-};
-
 /// Answers for one receiver, some of the light before its plane.
 class QuickSight {
  public:
@@ -75,20 +33,31 @@ class QuickSight {
         shadows_(shadows),
         receiver_(scene.receivers[receiver]),
         light_(light),
-        known_(scene.shapes.size(), 0) {}
+        known_(scene.shapes.size(), 0),
+        places_(scene.points.size()),
+        seen_(scene) {}
 
   /// The region of a point of the receiver, given the blockers that may hide something from it; nothing if intervals do
   /// not tell.
   std::optional<QuickAnswer> region(const PointEnclosure& p, std::span<const ShapeId> near);
 
  private:
-  bool is_before_plane(PointId p) const;
+  /// Where a point lies, once it is known.
+  struct Place {
+    bool is_known = false;
+    bool is_before_plane = false;
+    std::int8_t light_side = 0;
+  };
+
+  const Place& place(PointId p);
   bool hides_nothing(ShapeId shape);
+  void collect_hiding(std::span<const ShapeId> near);
   bool is_beside_light(const Shape& shape, const PointEnclosure& p) const;
-  bool is_in_light(PointId v, const PointEnclosure& p, int before) const;
-  bool leaves_open(const Shape& shape, const PointEnclosure& p, PointId v) const;
-  bool is_on_outline(const Shape& shape, const PointEnclosure& p, PointId v) const;
-  bool shows_vertex(const PointEnclosure& p, std::span<const ShapeId> near, int before);
+  bool is_in_light(PointId v, const PointEnclosure& p, int before);
+  bool shows_vertex(const PointEnclosure& p, int before);
+  bool is_hidden(std::uint32_t light_vertex, const PointEnclosure& p, bool& is_seen);
+  std::optional<ShapeId> cover_of_all(const PointEnclosure& p) const;
+  std::optional<QuickAnswer> region_of_seen_vertices(const PointEnclosure& p, int before);
   int side(const PointEnclosure& p, PointId a, PointId b, PointId c) const;
 
   const EventScene& scene_;
@@ -96,6 +65,10 @@ class QuickSight {
   const Shape& receiver_;
   const LightBefore& light_;
   std::vector<std::int8_t> known_;  ///< of each shape: 0 not yet, 1 may hide something, 2 hides nothing
+  std::vector<Place> places_;       ///< of each point
+  std::vector<ShapeId> hiding_;     ///< shapes that may hide something from the point that is asked for
+  std::vector<ShapeId> cover_;      ///< of these, one for each light vertex that is known to be hidden
+  SeenVertices seen_;
 };
 
 }  // namespace gnomon::event

@@ -14,6 +14,7 @@
 #include "geometry/discontinuity/receiver_mesh_data.h"
 #include "geometry/scene/scene_reader.h"
 #include "geometry/visibility/visibility.h"
+#include "tests/geometry/discontinuity/mesh_cases.h"
 #include "tests/geometry/discontinuity/mesh_probe.h"
 #include "tests/geometry/discontinuity/side_cases.h"
 #include "tests/geometry/discontinuity/side_oracle.h"
@@ -128,9 +129,8 @@ SideTally compare_all(unsigned count, const Draw& draw) {
   std::cout << "; wrong " << tally.wrong << "\n";
   EXPECT_EQ(tally.wrong, 0U);
   EXPECT_GT(3 * tally.asked, tally.compared());
-  EXPECT_GT(8 * tally.with_horizon, tally.meshes);
   for (const ReceiverRegion region : {ReceiverRegion::lit, ReceiverRegion::penumbra, ReceiverRegion::umbra}) {
-    EXPECT_GT(20 * tally.points[static_cast<std::size_t>(region)], tally.compared()) << name(region);
+    EXPECT_GT(25 * tally.points[static_cast<std::size_t>(region)], tally.compared()) << name(region);
   }
   return tally;
 }
@@ -138,11 +138,17 @@ SideTally compare_all(unsigned count, const Draw& draw) {
 constexpr unsigned case_count = GNOMON_LONG ? 20000 : 2000;
 
 TEST(ReceiverSideAgreement, LabelsOfRoomsAreThoseOfTheDefinition) {
-  compare_all(case_count, test_support::room);
+  const SideTally tally = compare_all(case_count, test_support::room);
+  EXPECT_GT(8 * tally.with_horizon, tally.meshes);
 }
 
 TEST(ReceiverSideAgreement, LabelsOfTanglesAreThoseOfTheDefinition) {
-  compare_all(case_count, test_support::tangle);
+  const SideTally tally = compare_all(case_count, test_support::tangle);
+  EXPECT_GT(8 * tally.with_horizon, tally.meshes);
+}
+
+TEST(ReceiverSideAgreement, LabelsBehindMeshesAreThoseOfTheDefinition) {
+  compare_all(case_count / 10, test_support::mesh_under_lamp);
 }
 
 /// Scenes that were once labelled wrong, each with points and areas worked out from the definition.
