@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/discontinuity/passage.h"
 #include "geometry/discontinuity/shaft.h"
 #include "geometry/rounding.h"
 
@@ -55,6 +56,17 @@ std::array<FacePiece, 2> halves(const FacePiece& piece) {
 /// The most points from which the triangles of a face are tried.
 constexpr std::size_t most_trials = 24;
 
+Place nearby(const ExactVector& p) {
+  const CGAL::Protect_FPU_rounding<true> upward;
+  return Place(p);
+}
+
+std::optional<bool> is_known_to_pass(const EventScene& scene, const Shape& shape, const Place& light,
+                                     std::span<const Place> face) {
+  const CGAL::Protect_FPU_rounding<true> upward;
+  return certainly_passes(scene, shape, light, face);
+}
+
 bool is_on_sightline(const ExactVector& p, const ExactVector& between, const ExactVector& far) {
   const ExactVector a = between - p, b = far - p;
   return is_zero(cross(a, b)) && dot(a, b) > 0 && dot(a, a) < dot(b, b);
@@ -64,7 +76,12 @@ bool is_on_sightline(const ExactVector& p, const ExactVector& between, const Exa
 
 ReceiverSight::ReceiverSight(const EventScene& scene, const Light& light, std::span<const ConvexBlocker> blockers,
                              std::uint32_t receiver, const ReceiverPlane& plane)
-    : scene_(scene), light_(light), blockers_(blockers), plane_(plane), known_(scene.shapes.size(), 0) {
+    : scene_(scene),
+      light_(light),
+      blockers_(blockers),
+      plane_(plane),
+      known_(scene.shapes.size(), 0),
+      cones_(scene, plane) {
   const CGAL::Protect_FPU_rounding<true> upward;
   before_ = light_before(scene, scene.receivers[receiver], plane);
 }
@@ -93,7 +110,7 @@ VisiblePart ReceiverSight::visible_from(const ExactVector& p) {
 }
 
 VisibleFraction ReceiverSight::visible_fraction_from(const ExactVector& p) {
-  VisiblePart part = visible_from(p);
+  VisiblePart part = quickly_visible_from(p);
   // Of a light that is seen as far as it lies before the plane the measure is not all there is.
   if (part.region == Region::lit && !before_.is_whole()) part.region = Region::penumbra;
   return visible_fraction(part);
@@ -166,18 +183,15 @@ bool ReceiverSight::hides_light_from(ShapeId shape, std::span<const ExactVector>
   });
 }
 
-/// One shape, of those that hide all of the light from the point inside, hides it from all of the face.
-bool ReceiverSight::is_hidden_by_one(const FaceOfReceiver& face,
-                                     std::span<const std::vector<HidingCondition>> hidden) const {
-  for (std::size_t i = 0; i < near_.size(); ++i) {
-    if (!std::all_of(before_.corners.begin(), before_.corners.end(),
-                     [&](const auto& corner) { return hides_closed(hidden[i], corner.point); })) {
-      continue;
-    }
-    const std::optional<bool> known = face.is_hidden_by(near_[i]);
-    if (known ? *known : hides_light_from(near_[i], face.vertices)) return true;
-  }
-  return false;
+/// One shape hides all of the light from all of the face.
+bool ReceiverSight::is_hidden_by_one(const FaceOfReceiver& face) const {
+  return std::any_of(near_.begin(), near_.end(), [&](ShapeId s) {
+    if (const std::optional<bool> known = face.is_hidden_by(s)) return *known;
+    const auto hidden = hiding_conditions(blockers_[s], face.inside);
+    return std::all_of(before_.corners.begin(), before_.corners.end(),
+                       [&](const auto& corner) { return hides_closed(hidden, corner.point); }) &&
+           hides_light_from(s, face.vertices);
+  });
 }
 
 /// The shape hides a point of the light from no point inside the face: a plane through it parts them.
@@ -198,10 +212,16 @@ bool ReceiverSight::leaves_open(ShapeId shape, const ExactVector& light_point,
 
 /// A point of the light, among some in the middle of what is seen from somewhere in the face, is seen from all of it.
 bool ReceiverSight::shows_one_point(const VisiblePart& part, std::span<const ExactVector> face) const {
+  std::vector<Place> places;
+  for (const ExactVector& p : face) places.push_back(nearby(p));
   const std::vector<ExactVector> candidates = middles(part, light_);
   return std::any_of(candidates.begin(), candidates.end(), [&](const ExactVector& q) {
-    return plane_.plane().height(q) > 0 &&
-           std::all_of(near_.begin(), near_.end(), [&](ShapeId s) { return leaves_open(s, q, face); });
+    const Place light = nearby(q);
+    const auto passes = [&](ShapeId s) {
+      const std::optional<bool> known = is_known_to_pass(scene_, scene_.shapes[s], light, places);
+      return known ? *known : leaves_open(s, q, face);
+    };
+    return plane_.plane().height(q) > 0 && std::all_of(near_.begin(), near_.end(), passes);
   });
 }
 
@@ -212,7 +232,7 @@ bool ReceiverSight::shows_light_to_all(std::vector<FacePiece> pieces) {
     const FacePiece piece = pieces.back();
     pieces.pop_back();
     const ExactVector inside = mean(piece.corners);
-    const VisiblePart part = visible_from(inside);
+    const VisiblePart part = quickly_visible_from(inside);
     if (part.region != Region::penumbra) return false;
     collect_in_shaft(piece.corners);
     if (shows_one_point(part, piece.corners)) continue;
@@ -221,20 +241,34 @@ bool ReceiverSight::shows_light_to_all(std::vector<FacePiece> pieces) {
   return true;
 }
 
+/// The same as visible_from, but for how the part is cut up.
+VisiblePart ReceiverSight::quickly_visible_from(const ExactVector& p) {
+  collect_near(p);
+  if (!before_.is_empty() && cones_.look(p, near_)) return cones_.part(std::get<AreaLight>(light_));
+  return seen_part(hiding_of_near(p), p);
+}
+
+/// Some light is seen from all of the face, or none, and it is known which.
+bool ReceiverSight::is_same_throughout(const VisiblePart& part, const FaceOfReceiver& face) {
+  if (part.region == Region::umbra && is_hidden_by_one(face)) return true;
+  if (part.region == Region::penumbra && shows_vertex(part, face.inside)) return true;
+  collect_in_shaft(face.vertices);
+  if (part.region == Region::penumbra && shows_one_point(part, face.vertices)) return true;
+  const std::vector<FacePiece> pieces = face.pieces();
+  return !region_may_change(scene_, near_, pieces) || (part.region == Region::penumbra && shows_light_to_all(pieces));
+}
+
 FaceRegion ReceiverSight::region_of_face(const FaceOfReceiver& face) {
+  if (before_.is_empty()) return {Region::unlit, true};
   collect_near(face.inside);
-  const auto hidden = hiding_of_near(face.inside);
-  const VisiblePart part = seen_part(hidden, face.inside);
+  const bool has_cones = cones_.look(face.inside, near_);
+  if (has_cones && cones_.region() == Region::lit) return {Region::lit, true};
+  if (has_cones && cones_.region() == Region::penumbra && cones_.shows_vertex()) return {Region::penumbra, true};
+  const VisiblePart part =
+      has_cones ? cones_.part(std::get<AreaLight>(light_)) : seen_part(hiding_of_near(face.inside), face.inside);
   const bool may_change = part.region == Region::penumbra || part.region == Region::umbra;
   if (!may_change || scene_.kind == LightKind::point || scene_.kind == LightKind::direction) return {part.region, true};
-  if (part.region == Region::penumbra && shows_vertex(part, face.inside)) return {part.region, true};
-  if (part.region == Region::umbra && is_hidden_by_one(face, hidden)) return {part.region, true};
-  collect_in_shaft(face.vertices);
-  if (part.region == Region::penumbra && shows_one_point(part, face.vertices)) return {part.region, true};
-  const std::vector<FacePiece> pieces = face.pieces();
-  const bool is_certain =
-      !region_may_change(scene_, near_, pieces) || (part.region == Region::penumbra && shows_light_to_all(pieces));
-  return {part.region, is_certain};
+  return {part.region, is_same_throughout(part, face)};
 }
 
 }  // namespace gnomon::event

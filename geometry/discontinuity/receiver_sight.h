@@ -11,6 +11,7 @@
 #include "geometry/discontinuity/light_before.h"
 #include "geometry/discontinuity/receiver_plane.h"
 #include "geometry/discontinuity/region_change.h"
+#include "geometry/discontinuity/visible_cones.h"
 #include "geometry/visibility/hidden_set.h"
 #include "geometry/visibility/visible_fraction.h"
 #include "geometry/visibility/visible_part.h"
@@ -40,7 +41,7 @@ struct FaceOfReceiver {
 ///             the plane but for p itself; so blockers without a point there are left out, and of others, if p does not
 ///             lie on their outline in the plane, the limit is what the definition says of p: next to a facet on which
 ///             p lies, the solid is met at once or never.
-/// Exactness:  rational arithmetic.
+/// Exactness:  exact: planes by name where VisibleCones is for it, else rational arithmetic.
 class ReceiverSight {
  public:
   ReceiverSight(const EventScene& scene, const Light& light, std::span<const ConvexBlocker> blockers,
@@ -68,7 +69,9 @@ class ReceiverSight {
   bool shows_vertex(const VisiblePart& part, const ExactVector& p) const;
   std::vector<std::vector<HidingCondition>> hiding_of_near(const ExactVector& p) const;
   bool hides_light_from(ShapeId shape, std::span<const ExactVector> face) const;
-  bool is_hidden_by_one(const FaceOfReceiver& face, std::span<const std::vector<HidingCondition>> hidden) const;
+  bool is_hidden_by_one(const FaceOfReceiver& face) const;
+  VisiblePart quickly_visible_from(const ExactVector& p);
+  bool is_same_throughout(const VisiblePart& part, const FaceOfReceiver& face);
   bool leaves_open(ShapeId shape, const ExactVector& light_point, std::span<const ExactVector> face) const;
   bool shows_one_point(const VisiblePart& part, std::span<const ExactVector> face) const;
   bool shows_light_to_all(std::vector<FacePiece> pieces);
@@ -80,6 +83,7 @@ class ReceiverSight {
   LightBefore before_;
   std::vector<std::int8_t> known_;  ///< of each shape: 0 not yet, 1 may hide something, 2 hides nothing
   std::vector<std::uint32_t> near_;
+  VisibleCones cones_;
 };
 
 }  // namespace gnomon::event
