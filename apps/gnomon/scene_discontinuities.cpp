@@ -1,8 +1,6 @@
 #include "apps/gnomon/scene_discontinuities.h"
 
 #include <algorithm>
-#include <atomic>
-#include <future>
 #include <optional>
 #include <span>
 #include <thread>
@@ -12,6 +10,7 @@
 #include "apps/gnomon/element_choice.h"
 #include "apps/gnomon/receiver_rows.h"
 #include "geometry/discontinuity/event_range.h"
+#include "geometry/parallel.h"
 #include "geometry/scene/convex_parts.h"
 #include "geometry/scene/scene_points.h"
 
@@ -135,18 +134,8 @@ std::string division_refusal(const Scene& scene, const ReceiverSelection& select
   return any ? "" : "no receiver asked for has exactly coplanar vertices";
 }
 
-/// Runs `work(i)` for all i below n, on as many threads as are asked for.
-template <class Work>
-void on_threads(std::size_t n, unsigned threads, const Work& work) {
-  std::atomic<std::size_t> next = 0;
-  const auto run = [&] {
-    for (std::size_t i = next++; i < n; i = next++) work(i);
-  };
-  const std::size_t wanted = threads ? threads : std::max(1U, std::thread::hardware_concurrency());
-  std::vector<std::future<void>> helpers;
-  for (std::size_t i = 1; i < std::min(wanted, n); ++i) helpers.push_back(std::async(std::launch::async, run));
-  run();
-  for (std::future<void>& helper : helpers) helper.get();
+unsigned thread_count(const Effort& effort) {
+  return effort.threads ? effort.threads : std::max(1U, std::thread::hardware_concurrency());
 }
 
 }  // namespace
@@ -171,16 +160,20 @@ DiscontinuityResult divided_receivers(const Scene& scene, const ReceiverSelectio
   std::vector<ConvexPolygon> receivers;
   for (const std::uint32_t r : chosen) receivers.push_back(parts.receivers[r]);
   Progress progress("receiver", lights.size() * chosen.size(), effort.shows_progress ? automatic : hidden);
+  // Receivers are shared among threads, and few receivers each among several.
+  const unsigned threads = thread_count(effort);
+  const unsigned for_each = std::max(1U, threads / static_cast<unsigned>(std::max<std::size_t>(1, chosen.size())));
   for (const std::uint32_t l : lights) {
-    const ReceiverDivision division(scene.lights[l].shape, parts.blockers, receivers);
+    const ReceiverDivision division(scene.lights[l].shape, parts.blockers, receivers, threads);
     std::vector<std::optional<ReceiverResult>> made(chosen.size());
-    on_threads(chosen.size(), effort.threads, [&](std::size_t i) {
+    for_all(chosen.size(), threads, [&](std::size_t i, std::size_t) {
       const auto r = static_cast<std::uint32_t>(i);
       const std::uint32_t id = parts.receiver_ids[chosen[i]];
       const SceneReceiver& receiver = scene.receivers[id];
-      made[i] = ReceiverResult{l, id, scene.lights[l].name, receiver.name, division.mesh(r), {}, receiver.side};
+      made[i] =
+          ReceiverResult{l, id, scene.lights[l].name, receiver.name, division.mesh(r, for_each), {}, receiver.side};
       if (fractions == VertexFractions::worked_out) {
-        made[i]->visible_fractions = division.visible_fractions(r, made[i]->mesh);
+        made[i]->visible_fractions = division.visible_fractions(r, made[i]->mesh, for_each);
       }
       progress.step();
     });
@@ -208,7 +201,7 @@ DiscontinuityResult scene_surfaces(const Scene& scene, const std::string& light,
   const std::vector<std::uint32_t> lights = supported_lights(scene, light, parts);
   Progress progress("light", lights.size(), effort.shows_progress ? automatic : hidden);
   std::vector<SurfaceResult> made(lights.size());
-  on_threads(lights.size(), effort.threads, [&](std::size_t i) {
+  for_all(lights.size(), thread_count(effort), [&](std::size_t i, std::size_t) {
     const SceneLight& l = scene.lights[lights[i]];
     made[i] = {lights[i], l.name, discontinuity_surfaces(l.shape, parts.blockers, parts.receivers, box)};
     progress.step();

@@ -266,18 +266,20 @@ class CoplanarPairs {
 
 }  // namespace
 
-void for_each_coplanar_wedge(EventScene& scene, const std::function<void(const Wedge&)>& take) {
-  if (scene.kind != LightKind::area && scene.kind != LightKind::linear) return;
+std::size_t coplanar_source_count(const EventScene& scene) {
+  if (scene.kind != LightKind::area && scene.kind != LightKind::linear) return 0;
+  return scene.edges.size() + (scene.kind == LightKind::area ? scene.cutting_facets.size() : 0);
+}
+
+void for_each_coplanar_wedge(EventScene& scene, std::size_t source, const std::function<void(const Wedge&)>& take) {
   CoplanarPairs pairs(scene, take);
-  for (EdgeId e = 0; e < scene.edges.size(); ++e) {
-    const BlockerEdge& edge = scene.edges[e];
-    const auto is_served = [&](PointId p) { return scene.is_two_sided || scene.light_side(p) > 0; };
-    if (!edge.may_be_seen || (!is_served(edge.a) && !is_served(edge.b))) continue;
-    pairs.with_light_edges(e);
-    pairs.with_blocker_edges(e);
-  }
-  if (scene.kind != LightKind::area) return;
-  for (std::uint32_t f = 0; f < scene.cutting_facets.size(); ++f) pairs.in_plane_of(f);
+  if (source >= scene.edges.size()) return pairs.in_plane_of(static_cast<std::uint32_t>(source - scene.edges.size()));
+  const auto e = static_cast<EdgeId>(source);
+  const BlockerEdge& edge = scene.edges[e];
+  const auto is_served = [&](PointId p) { return scene.is_two_sided || scene.light_side(p) > 0; };
+  if (!edge.may_be_seen || (!is_served(edge.a) && !is_served(edge.b))) return;
+  pairs.with_light_edges(e);
+  pairs.with_blocker_edges(e);
 }
 
 }  // namespace gnomon::event

@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "geometry/discontinuity/quick_sight.h"
+#include "geometry/discontinuity/receiver_sight.h"
 #include "geometry/discontinuity/shaft.h"
+#include "geometry/parallel.h"
 
 namespace gnomon::event {
 namespace {
@@ -23,30 +27,133 @@ std::vector<ExactVector> vertices_of(const ReceiverMesh::Data& data, const MeshF
   return vertices;
 }
 
-/// Finds the regions of faces, by intervals where these tell, and spreads them across edges that do not change them.
-class FaceLabels {
+/// Asks about faces, one at a time.
+class FaceAsker {
  public:
-  FaceLabels(const EventScene& scene, const VertexShadows& shadows, std::uint32_t receiver, const LightBefore& light,
-             ReceiverMesh::Data& data, ReceiverSight& sight)
-      : scene_(scene),
-        shadows_(shadows),
-        light_(light),
-        quick_(scene, shadows, receiver, light),
+  FaceAsker(const LitReceiver& lit, const ReceiverMesh::Data& data)
+      : lit_(lit),
         data_(data),
-        sight_(sight),
-        is_labelled_(data.faces.size()) {}
+        quick_(lit.scene, lit.shadows, lit.receiver, lit.before),
+        sight_(lit.scene, lit.light, lit.blockers, lit.receiver, data.plane) {}
 
-  void label_all() {
-    for (std::uint32_t f = 0; f < data_.faces.size(); ++f) {
-      if (light_.is_empty()) set(f, ReceiverRegion::unlit);
-      if (is_labelled_[f]) continue;
-      const std::optional<QuickAnswer> quick = quick_answer(f);
-      set(f, quick ? static_cast<ReceiverRegion>(quick->region) : asked_region(f));
-      if (quick && light_.is_whole()) spread(f, *quick);
+  /// What intervals tell of a face.
+  std::optional<QuickAnswer> quick_answer(std::uint32_t f) {
+    const FlatEnclosure flat = inner_point(f);
+    const CGAL::Protect_FPU_rounding<true> upward;
+    const PointEnclosure p = data_.plane.spatial(flat);
+    Point3 middle{p[0].inf() / 2 + p[0].sup() / 2, p[1].inf() / 2 + p[1].sup() / 2, p[2].inf() / 2 + p[2].sup() / 2};
+    const double size = std::max({std::fabs(middle.x), std::fabs(middle.y), std::fabs(middle.z)});
+    for (const Interval& c : p) {
+      if (!(c.sup() - c.inf() <= 0x1p-44 * size)) return std::nullopt;
     }
+    lit_.scene.shape_boxes.search(shaft(lit_.scene, {&middle, 1}), near_);
+    const std::optional<QuickAnswer> answer = quick_.region(p, near_);
+    const auto is_covered = [&] { return answer->cover && hides_light_from(f, *answer->cover) == true; };
+    if (!answer || !(answer->is_certain_of_face || is_covered())) return std::nullopt;
+    return answer;
+  }
+
+  /// The region of a face, exactly.
+  ReceiverRegion asked_region(std::uint32_t f) {
+    const ExactVector inside = data_.plane.spatial(data_.arrangement.inner_point(f));
+    const FaceRegion found = sight_.region_of_face({inside, vertices_of(data_, data_.faces[f]),
+                                                    [&] { return face_pieces(data_, data_.faces[f]); },
+                                                    [&](ShapeId s) { return hides_light_from(f, s); }});
+    return found.is_certain ? static_cast<ReceiverRegion>(found.region) : ReceiverRegion::unresolved_eee;
   }
 
  private:
+  /// A narrow box around the point by which a face is judged.
+  FlatEnclosure inner_point(std::uint32_t f) const {
+    const FlatEnclosure near = data_.arrangement.near_inner_point(f);
+    const auto is_narrow = [](const Interval& c) {
+      return c.sup() - c.inf() <= 0x1p-46 * std::max(std::fabs(c.inf()), std::fabs(c.sup()));
+    };
+    if (is_narrow(near.x) && is_narrow(near.y)) return near;
+    const FlatPoint point = data_.arrangement.inner_point(f);
+    const auto x = CGAL::to_interval(point.x), y = CGAL::to_interval(point.y);
+    return {Interval(x.first, x.second), Interval(y.first, y.second)};
+  }
+
+  /// Whether one blocker hides all of the light from every vertex of the face, so from all of its hull; nothing where
+  /// that is not known of some vertex of the light, or does not matter of one in or behind the receiver's plane.
+  std::optional<bool> hides_light_from(std::uint32_t f, ShapeId shape) const {
+    const CGAL::Protect_FPU_rounding<true> upward;
+    const auto n = static_cast<std::uint32_t>(lit_.scene.light_vertices.size());
+    for (std::uint32_t l = 0; l < n; ++l) {
+      if (!lit_.shadows.knows(l, shape)) return std::nullopt;
+    }
+    for (const MeshEdgeUse use : data_.faces[f].cycles[0]) {
+      const std::uint32_t v = start_of(data_, use);
+      const PointEnclosure near = data_.plane.spatial(data_.arrangement.near_point(v));
+      for (std::uint32_t l = 0; l < n; ++l) {
+        if (lit_.shadows.holds(l, shape, near, [&] { return data_.plane.spatial(data_.point(v)); })) continue;
+        return lit_.before.is_whole() ? std::optional(false) : std::nullopt;
+      }
+    }
+    return true;
+  }
+
+  const LitReceiver& lit_;
+  const ReceiverMesh::Data& data_;
+  QuickSight quick_;
+  ReceiverSight sight_;
+  std::vector<std::uint32_t> near_;
+};
+
+/// Finds the regions of faces, by intervals where these tell, and spreads them across edges that do not change them.
+class FaceLabels {
+ public:
+  FaceLabels(const LitReceiver& lit, ReceiverMesh::Data& data, unsigned threads)
+      : lit_(lit), data_(data), is_labelled_(data.faces.size()) {
+    for (unsigned k = 0; k < std::max(1U, threads); ++k) askers_.push_back(std::make_unique<FaceAsker>(lit, data));
+  }
+
+  void label_all() {
+    const auto n = static_cast<std::uint32_t>(data_.faces.size());
+    for (std::uint32_t f = 0; f < n; ++f) {
+      if (lit_.before.is_empty()) set(f, ReceiverRegion::unlit);
+    }
+    if (lit_.before.is_empty()) return;
+    for (std::uint32_t first = 0; first < n;) first = label_quickly(first);
+    ask_exactly();
+  }
+
+ private:
+  /// Labels some faces from `first` on by intervals. Answers are taken in the order of faces, and each as if those
+  /// before had been taken, so that it does not matter how many are found at once. Returns: the first face after them.
+  std::uint32_t label_quickly(std::uint32_t first) {
+    const std::size_t most = askers_.size() > 1 ? 256 : 1;
+    std::vector<std::uint32_t> faces;
+    for (; first < data_.faces.size() && faces.size() < most; ++first) {
+      if (!is_labelled_[first]) faces.push_back(first);
+    }
+    std::vector<std::optional<QuickAnswer>> answers(faces.size());
+    ask(faces.size(), [&](FaceAsker& asker, std::size_t i) { answers[i] = asker.quick_answer(faces[i]); });
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      if (is_labelled_[faces[i]] || !answers[i]) continue;
+      set(faces[i], static_cast<ReceiverRegion>(answers[i]->region));
+      if (lit_.before.is_whole()) spread(faces[i], *answers[i]);
+    }
+    return first;
+  }
+
+  template <class Question>
+  void ask(std::size_t n, const Question& question) {
+    for_all(n, static_cast<unsigned>(askers_.size()),
+            [&](std::size_t i, std::size_t worker) { question(*askers_[worker], i); });
+  }
+
+  void ask_exactly() {
+    std::vector<std::uint32_t> left;
+    for (std::uint32_t f = 0; f < data_.faces.size(); ++f) {
+      if (!is_labelled_[f]) left.push_back(f);
+    }
+    std::vector<ReceiverRegion> regions(left.size());
+    ask(left.size(), [&](FaceAsker& asker, std::size_t i) { regions[i] = asker.asked_region(left[i]); });
+    for (std::size_t i = 0; i < left.size(); ++i) set(left[i], regions[i]);
+  }
+
   void set(std::uint32_t f, ReceiverRegion region) {
     data_.faces[f].region = region;
     is_labelled_[f] = true;
@@ -85,84 +192,25 @@ class FaceLabels {
   bool keeps(const EventName& name, const std::array<std::uint32_t, 2>& light_vertices) const {
     if (name.kind != EventKind::vertex_edge) return false;
     return std::none_of(light_vertices.begin(), light_vertices.end(), [&](std::uint32_t l) {
-      const LightVertex& v = scene_.light_vertices[l];
+      const LightVertex& v = lit_.scene.light_vertices[l];
       const auto ends_at_v = [&](const LightEdge& e) {
         return e.name == name.edge && (e.a == v.point || e.b == v.point);
       };
-      return name.vertex == v.name || std::any_of(scene_.light_edges.begin(), scene_.light_edges.end(), ends_at_v);
+      return name.vertex == v.name ||
+             std::any_of(lit_.scene.light_edges.begin(), lit_.scene.light_edges.end(), ends_at_v);
     });
   }
 
-  ReceiverRegion asked_region(std::uint32_t f) {
-    const ExactVector inside = data_.plane.spatial(data_.arrangement.inner_point(f));
-    const FaceRegion found = sight_.region_of_face({inside, vertices_of(data_, data_.faces[f]),
-                                                    [&] { return face_pieces(data_, data_.faces[f]); },
-                                                    [&](ShapeId s) { return hides_light_from(f, s); }});
-    return found.is_certain ? static_cast<ReceiverRegion>(found.region) : ReceiverRegion::unresolved_eee;
-  }
-
-  /// A narrow box around the point by which a face is judged.
-  FlatEnclosure inner_point(std::uint32_t f) const {
-    const FlatEnclosure near = data_.arrangement.near_inner_point(f);
-    const auto is_narrow = [](const Interval& c) {
-      return c.sup() - c.inf() <= 0x1p-46 * std::max(std::fabs(c.inf()), std::fabs(c.sup()));
-    };
-    if (is_narrow(near.x) && is_narrow(near.y)) return near;
-    const FlatPoint point = data_.arrangement.inner_point(f);
-    const auto x = CGAL::to_interval(point.x), y = CGAL::to_interval(point.y);
-    return {Interval(x.first, x.second), Interval(y.first, y.second)};
-  }
-
-  std::optional<QuickAnswer> quick_answer(std::uint32_t f) {
-    const FlatEnclosure flat = inner_point(f);
-    const CGAL::Protect_FPU_rounding<true> upward;
-    const PointEnclosure p = data_.plane.spatial(flat);
-    Point3 middle{p[0].inf() / 2 + p[0].sup() / 2, p[1].inf() / 2 + p[1].sup() / 2, p[2].inf() / 2 + p[2].sup() / 2};
-    const double size = std::max({std::fabs(middle.x), std::fabs(middle.y), std::fabs(middle.z)});
-    for (const Interval& c : p) {
-      if (!(c.sup() - c.inf() <= 0x1p-44 * size)) return std::nullopt;
-    }
-    scene_.shape_boxes.search(shaft(scene_, {&middle, 1}), near_);
-    const std::optional<QuickAnswer> answer = quick_.region(p, near_);
-    const auto is_covered = [&] { return answer->cover && hides_light_from(f, *answer->cover) == true; };
-    if (!answer || !(answer->is_certain_of_face || is_covered())) return std::nullopt;
-    return answer;
-  }
-
-  /// Whether one blocker hides all of the light from every vertex of the face, so from all of its hull; nothing where
-  /// that is not known of some vertex of the light, or does not matter of one in or behind the receiver's plane.
-  std::optional<bool> hides_light_from(std::uint32_t f, ShapeId shape) const {
-    const CGAL::Protect_FPU_rounding<true> upward;
-    const auto n = static_cast<std::uint32_t>(scene_.light_vertices.size());
-    for (std::uint32_t l = 0; l < n; ++l) {
-      if (!shadows_.knows(l, shape)) return std::nullopt;
-    }
-    for (const MeshEdgeUse use : data_.faces[f].cycles[0]) {
-      const std::uint32_t v = start_of(data_, use);
-      const PointEnclosure near = data_.plane.spatial(data_.arrangement.near_point(v));
-      for (std::uint32_t l = 0; l < n; ++l) {
-        if (shadows_.holds(l, shape, near, [&] { return data_.plane.spatial(data_.point(v)); })) continue;
-        return light_.is_whole() ? std::optional(false) : std::nullopt;
-      }
-    }
-    return true;
-  }
-
-  const EventScene& scene_;
-  const VertexShadows& shadows_;
-  const LightBefore& light_;
-  QuickSight quick_;
+  const LitReceiver& lit_;
   ReceiverMesh::Data& data_;
-  ReceiverSight& sight_;
-  std::vector<std::uint32_t> near_;
+  std::vector<std::unique_ptr<FaceAsker>> askers_;  ///< of each thread
   std::vector<bool> is_labelled_;
 };
 
 }  // namespace
 
-void label_faces(const EventScene& scene, const VertexShadows& shadows, std::uint32_t receiver,
-                 const LightBefore& light, ReceiverSight& sight, ReceiverMesh::Data& data) {
-  FaceLabels(scene, shadows, receiver, light, data, sight).label_all();
+void label_faces(const LitReceiver& lit, ReceiverMesh::Data& data, unsigned threads) {
+  FaceLabels(lit, data, threads).label_all();
 }
 
 }  // namespace gnomon::event

@@ -3,17 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 
 #include "geometry/discontinuity/event_range.h"
 #include "geometry/discontinuity/face_labels.h"
 #include "geometry/discontinuity/horizon_traces.h"
 #include "geometry/discontinuity/light_before.h"
 #include "geometry/discontinuity/plane_traces.h"
-#include "geometry/discontinuity/quick_sight.h"
 #include "geometry/discontinuity/receiver_mesh_data.h"
 #include "geometry/discontinuity/receiver_sight.h"
 #include "geometry/discontinuity/wedge.h"
 #include "geometry/errors.h"
+#include "geometry/parallel.h"
 
 namespace gnomon {
 namespace {
@@ -45,20 +46,54 @@ struct AllTraces {
   std::vector<EventName> names;
 };
 
-AllTraces all_traces(EventScene& scene) {
-  AllTraces all{std::vector<std::vector<event::Trace>>(scene.receivers.size()), {}};
-  event::WedgeTracer tracer(scene);
+/// What the wedges of one source leave on receivers.
+struct SourceTraces {
   std::vector<event::Trace> traces;
-  event::for_each_wedge(scene, [&](const event::Wedge& wedge) {
-    traces.clear();
-    tracer.append_traces(wedge, traces);
-    if (traces.empty()) return;
-    for (event::Trace& trace : traces) {
-      trace.name = static_cast<std::uint32_t>(all.names.size());
+  std::vector<EventName> names;
+};
+
+/// Traces with a scene of its own, to which points are added while wedges are found.
+class SourceTracer {
+ public:
+  explicit SourceTracer(const EventScene& scene) : scene_(scene), tracer_(scene_) {}
+  SourceTracer(const SourceTracer&) = delete;
+
+  SourceTraces traces(std::size_t source) {
+    const CGAL::Protect_FPU_rounding<true> upward;
+    SourceTraces found;
+    event::for_each_wedge(scene_, source, [&](const event::Wedge& wedge) {
+      const std::size_t before = found.traces.size();
+      tracer_.append_traces(wedge, found.traces);
+      if (found.traces.size() == before) return;
+      for (std::size_t k = before; k < found.traces.size(); ++k) {
+        found.traces[k].name = static_cast<std::uint32_t>(found.names.size());
+      }
+      found.names.push_back(event::event_name(scene_, wedge));
+    });
+    return found;
+  }
+
+ private:
+  EventScene scene_;
+  event::WedgeTracer tracer_;
+};
+
+/// The same for any number of threads: in the order of sources.
+AllTraces all_traces(const EventScene& scene, unsigned threads) {
+  std::vector<std::unique_ptr<SourceTracer>> tracers(std::max(1U, threads));
+  std::vector<SourceTraces> found(event::wedge_source_count(scene));
+  for_all(found.size(), threads, [&](std::size_t source, std::size_t worker) {
+    if (!tracers[worker]) tracers[worker] = std::make_unique<SourceTracer>(scene);
+    found[source] = tracers[worker]->traces(source);
+  });
+  AllTraces all{std::vector<std::vector<event::Trace>>(scene.receivers.size()), {}};
+  for (SourceTraces& of_source : found) {
+    for (event::Trace& trace : of_source.traces) {
+      trace.name += static_cast<std::uint32_t>(all.names.size());
       all.by_receiver[trace.receiver].push_back(std::move(trace));
     }
-    all.names.push_back(event::event_name(scene, wedge));
-  });
+    all.names.insert(all.names.end(), of_source.names.begin(), of_source.names.end());
+  }
   return all;
 }
 
@@ -72,7 +107,8 @@ std::vector<FlatPoint> flat_corners(const EventScene& scene, std::uint32_t recei
 
 /// Everything that divides a receiver, its border first.
 std::vector<FlatSegment> dividing_segments(const EventScene& scene, std::uint32_t receiver, const ReceiverPlane& plane,
-                                           const event::LightBefore& light, const AllTraces& traces, NameTable& names) {
+                                           const event::LightBefore& light, const AllTraces& traces, NameTable& names,
+                                           unsigned threads) {
   std::vector<FlatSegment> segments;
   const std::vector<FlatPoint> corners = flat_corners(scene, receiver, plane);
   for (std::uint32_t k = 0; k < corners.size(); ++k) {
@@ -81,10 +117,14 @@ std::vector<FlatSegment> dividing_segments(const EventScene& scene, std::uint32_
     segments.push_back({corners[k], corners[(k + 1) % corners.size()], name});
   }
   if (light.is_empty()) return segments;
-  for (const event::Trace& trace : traces.by_receiver[receiver]) {
-    const FlatSegment segment{plane.flat(trace.ends[0]), plane.flat(trace.ends[1]),
-                              names.number(traces.names[trace.name])};
-    if (!(segment.start == segment.end)) segments.push_back(segment);
+  const std::vector<event::Trace>& own = traces.by_receiver[receiver];
+  std::vector<FlatSegment> flat(own.size());
+  for_all(own.size(), threads, [&](std::size_t k, std::size_t) {
+    flat[k] = {plane.flat(own[k].ends[0]), plane.flat(own[k].ends[1]), own[k].name};
+  });
+  for (FlatSegment& segment : flat) {
+    segment.name = names.number(traces.names[segment.name]);
+    if (!(segment.start == segment.end)) segments.push_back(std::move(segment));
   }
   std::vector<event::NamedSegment> others;
   event::append_plane_traces(scene, receiver, plane, others);
@@ -104,12 +144,12 @@ ReceiverPlane plane_of(const EventScene& scene, std::uint32_t receiver) {
 
 std::shared_ptr<ReceiverMesh::Data> subdivision(const EventScene& scene, std::uint32_t receiver,
                                                 const ReceiverPlane& plane, const event::LightBefore& light,
-                                                const AllTraces& traces) {
+                                                const AllTraces& traces, unsigned threads) {
   NameTable names;
   std::vector<FlatSegment> segments;
   {
     const CGAL::Protect_FPU_rounding<true> upward;
-    segments = dividing_segments(scene, receiver, plane, light, traces, names);
+    segments = dividing_segments(scene, receiver, plane, light, traces, names, threads);
   }
   auto data = std::make_shared<ReceiverMesh::Data>(
       ReceiverMesh::Data{plane, ReceiverArrangement(segments), {}, {}, names.take()});
@@ -194,40 +234,37 @@ event::LightBefore light_before_plane(const EventScene& scene, std::uint32_t rec
   return event::light_before(scene, scene.receivers[receiver], plane);
 }
 
-AllTraces traced(EventScene& scene) {
-  const CGAL::Protect_FPU_rounding<true> upward;
-  return all_traces(scene);
-}
-
 }  // namespace
 
 ReceiverDivision::ReceiverDivision(const Light& light, std::span<const ConvexBlocker> blockers,
-                                   std::span<const ConvexPolygon> receivers) {
-  const auto scene = std::make_shared<EventScene>(prepared(light, blockers, receivers));
+                                   std::span<const ConvexPolygon> receivers, unsigned threads) {
+  const auto scene = std::make_shared<const EventScene>(prepared(light, blockers, receivers));
   data_ = std::make_shared<const Data>(
-      Data{light, {blockers.begin(), blockers.end()}, scene, traced(*scene), vertex_shadows(*scene)});
+      Data{light, {blockers.begin(), blockers.end()}, scene, all_traces(*scene, threads), vertex_shadows(*scene)});
 }
 
 std::size_t ReceiverDivision::size() const {
   return data_->scene->receivers.size();
 }
 
-ReceiverMesh ReceiverDivision::mesh(std::uint32_t receiver) const {
+ReceiverMesh ReceiverDivision::mesh(std::uint32_t receiver, unsigned threads) const {
   const ReceiverPlane plane = plane_of(*data_->scene, receiver);
   const event::LightBefore light = light_before_plane(*data_->scene, receiver, plane);
-  const auto made = subdivision(*data_->scene, receiver, plane, light, data_->traces);
-  event::ReceiverSight sight(*data_->scene, data_->light, data_->blockers, receiver, made->plane);
-  label_faces(*data_->scene, data_->shadows, receiver, light, sight, *made);
+  const auto made = subdivision(*data_->scene, receiver, plane, light, data_->traces, threads);
+  event::label_faces({*data_->scene, data_->shadows, data_->light, data_->blockers, receiver, light}, *made, threads);
   return ReceiverMesh(made);
 }
 
-std::vector<double> ReceiverDivision::visible_fractions(std::uint32_t receiver, const ReceiverMesh& mesh) const {
+std::vector<double> ReceiverDivision::visible_fractions(std::uint32_t receiver, const ReceiverMesh& mesh,
+                                                        unsigned threads) const {
   const ReceiverPlane& plane = mesh.data().plane;
-  event::ReceiverSight sight(*data_->scene, data_->light, data_->blockers, receiver, plane);
-  std::vector<double> fractions;
-  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
-    fractions.push_back(sight.visible_fraction_from(plane.spatial(mesh.data().point(v))).nearest);
-  }
+  const event::ReceiverSight sight(*data_->scene, data_->light, data_->blockers, receiver, plane);
+  std::vector<event::ReceiverSight> sights(std::max(1U, threads), sight);
+  std::vector<double> fractions(mesh.vertex_count());
+  for_all(fractions.size(), threads, [&](std::size_t v, std::size_t worker) {
+    const ExactVector p = plane.spatial(mesh.data().point(static_cast<std::uint32_t>(v)));
+    fractions[v] = sights[worker].visible_fraction_from(p).nearest;
+  });
   return fractions;
 }
 

@@ -113,24 +113,25 @@ class ReceiverMesh {
 
 /// Receivers, ready to be divided by what they receive of one light behind all blockers.
 ///
-/// Events are found and traced for all receivers together; any number of threads may ask for meshes then.
+/// Events are found and traced for all receivers together; any number of threads may ask for meshes then. What is found
+/// does not depend on the number of threads.
 class ReceiverDivision {
  public:
   /// Requires: flat receivers; a flat area light; coordinates in range (event_range.h).
   /// Throws:   PreconditionError.
-  /// Cost:     events are found by searching hierarchies, and traced where they reach a receiver.
+  /// Cost:     events are found by searching hierarchies, and traced where they reach a receiver, by that many threads.
   ReceiverDivision(const Light& light, std::span<const ConvexBlocker> blockers,
-                   std::span<const ConvexPolygon> receivers);
+                   std::span<const ConvexPolygon> receivers, unsigned threads = 1);
 
   std::size_t size() const;
 
-  /// The receiver of that index, divided.
-  ReceiverMesh mesh(std::uint32_t receiver) const;
+  /// The receiver of that index, divided; its faces are labelled by that many threads.
+  ReceiverMesh mesh(std::uint32_t receiver, unsigned threads = 1) const;
 
   /// The visible fraction at each vertex of its mesh, as visible_fraction(VisiblePart) rounds it: the measure of what
   /// is seen of the light before the receiver's plane, as a share of that of all of the light.
   /// Definition: of a vertex on a discontinuity of order 0 one of the limits is meant.
-  std::vector<double> visible_fractions(std::uint32_t receiver, const ReceiverMesh& mesh) const;
+  std::vector<double> visible_fractions(std::uint32_t receiver, const ReceiverMesh& mesh, unsigned threads = 1) const;
 
   struct Data;
 

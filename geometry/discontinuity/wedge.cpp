@@ -74,23 +74,20 @@ bool is_served(const EventScene& scene, int side) {
   return side > 0 || (side < 0 && scene.is_two_sided);
 }
 
-void wedges_from_light_vertices(const EventScene& scene, const std::function<void(const Wedge&)>& take) {
-  for (EdgeId e = 0; e < scene.edges.size(); ++e) {
-    const BlockerEdge& edge = scene.edges[e];
-    if (!edge.may_be_seen) continue;
-    if (!is_served(scene, scene.light_side(edge.a)) && !is_served(scene, scene.light_side(edge.b))) continue;
-    const auto n = static_cast<std::uint32_t>(scene.light_vertices.size());
-    for (std::uint32_t l = 0; l < n; ++l) {
-      take({WedgeKind::from_light_vertex, scene.light_vertices[l].point, edge.a, edge.b, l, e, {}});
-    }
-    for (std::uint32_t l = 0; l < scene.cut_vertices.size(); ++l) {
-      take({WedgeKind::from_light_vertex, scene.cut_vertices[l].point, edge.a, edge.b, n + l, e, {}});
-    }
+void wedges_from_light_vertices(const EventScene& scene, EdgeId e, const std::function<void(const Wedge&)>& take) {
+  const BlockerEdge& edge = scene.edges[e];
+  if (!edge.may_be_seen) return;
+  if (!is_served(scene, scene.light_side(edge.a)) && !is_served(scene, scene.light_side(edge.b))) return;
+  const auto n = static_cast<std::uint32_t>(scene.light_vertices.size());
+  for (std::uint32_t l = 0; l < n; ++l) {
+    take({WedgeKind::from_light_vertex, scene.light_vertices[l].point, edge.a, edge.b, l, e, {}});
+  }
+  for (std::uint32_t l = 0; l < scene.cut_vertices.size(); ++l) {
+    take({WedgeKind::from_light_vertex, scene.cut_vertices[l].point, edge.a, edge.b, n + l, e, {}});
   }
 }
 
-void wedges_at_vertex(const EventScene& scene, std::uint32_t v, EdgeSearch& search,
-                      const std::function<void(const Wedge&)>& take) {
+void wedges_at_vertex(const EventScene& scene, std::uint32_t v, const std::function<void(const Wedge&)>& take) {
   const BlockerVertex& vertex = scene.vertices[v];
   const int side = scene.light_side(vertex.point);
   if (!vertex.may_be_seen || !is_served(scene, side)) return;
@@ -104,6 +101,7 @@ void wedges_at_vertex(const EventScene& scene, std::uint32_t v, EdgeSearch& sear
     take({WedgeKind::from_light_edge, vertex.point, edge.a, edge.b, v, n + e, {}});
   }
   if (scene.kind != LightKind::area) return;
+  EdgeSearch search(scene);
   for (const WedgeKind kind : {WedgeKind::edge_first, WedgeKind::apex_first}) {
     for (const EdgeId e : search.edges(vertex, side, kind)) {
       const BlockerEdge& edge = scene.edges[e];
@@ -114,18 +112,16 @@ void wedges_at_vertex(const EventScene& scene, std::uint32_t v, EdgeSearch& sear
 
 /// In the plane of a facet that cuts the light a point sees part of the facet in front of part of the light exactly
 /// where it sees an end of one in line with the other.
-void wedges_in_facet_planes(const EventScene& scene, const std::function<void(const Wedge&)>& take) {
-  for (std::uint32_t f = 0; f < scene.cutting_facets.size(); ++f) {
-    const CuttingFacet& facet = scene.cutting_facets[f];
-    const auto [p, q] = facet.light_ends;
-    for (const EdgeId e : facet.edges) {
-      const BlockerEdge& edge = scene.edges[e];
-      take({WedgeKind::from_light_vertex, p, edge.a, edge.b, 0, e, f});
-      if (p != q) take({WedgeKind::from_light_vertex, q, edge.a, edge.b, 0, e, f});
-    }
-    for (const PointId v : facet.loop) {
-      if (p != q && is_served(scene, scene.light_side(v))) take({WedgeKind::from_light_edge, v, p, q, 0, 0, f});
-    }
+void wedges_in_facet_plane(const EventScene& scene, std::uint32_t f, const std::function<void(const Wedge&)>& take) {
+  const CuttingFacet& facet = scene.cutting_facets[f];
+  const auto [p, q] = facet.light_ends;
+  for (const EdgeId e : facet.edges) {
+    const BlockerEdge& edge = scene.edges[e];
+    take({WedgeKind::from_light_vertex, p, edge.a, edge.b, 0, e, f});
+    if (p != q) take({WedgeKind::from_light_vertex, q, edge.a, edge.b, 0, e, f});
+  }
+  for (const PointId v : facet.loop) {
+    if (p != q && is_served(scene, scene.light_side(v))) take({WedgeKind::from_light_edge, v, p, q, 0, 0, f});
   }
 }
 
@@ -205,13 +201,24 @@ EventName pair_name(const EventScene& scene, const Wedge& wedge) {
 
 }  // namespace
 
+std::size_t wedge_source_count(const EventScene& scene) {
+  if (scene.kind == LightKind::point || scene.kind == LightKind::direction) return scene.edges.size();
+  return scene.edges.size() + scene.cutting_facets.size() + scene.vertices.size() + coplanar_source_count(scene);
+}
+
+void for_each_wedge(EventScene& scene, std::size_t source, const std::function<void(const Wedge&)>& take) {
+  const auto number = [&] { return static_cast<std::uint32_t>(source); };
+  if (source < scene.edges.size()) return wedges_from_light_vertices(scene, number(), take);
+  source -= scene.edges.size();
+  if (source < scene.cutting_facets.size()) return wedges_in_facet_plane(scene, number(), take);
+  source -= scene.cutting_facets.size();
+  if (source < scene.vertices.size()) return wedges_at_vertex(scene, number(), take);
+  for_each_coplanar_wedge(scene, source - scene.vertices.size(), take);
+}
+
 void for_each_wedge(EventScene& scene, const std::function<void(const Wedge&)>& take) {
-  wedges_from_light_vertices(scene, take);
-  if (scene.kind == LightKind::point || scene.kind == LightKind::direction) return;
-  wedges_in_facet_planes(scene, take);
-  EdgeSearch search(scene);
-  for (std::uint32_t v = 0; v < scene.vertices.size(); ++v) wedges_at_vertex(scene, v, search, take);
-  for_each_coplanar_wedge(scene, take);
+  const std::size_t n = wedge_source_count(scene);
+  for (std::size_t source = 0; source < n; ++source) for_each_wedge(scene, source, take);
 }
 
 EventName event_name(const EventScene& scene, const Wedge& wedge) {

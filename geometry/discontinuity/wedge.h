@@ -3,6 +3,7 @@
 /// Wedges: the lines through a vertex and an edge that come from the light, beyond the farther of the two. Private to
 /// this folder.
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -41,10 +42,16 @@ struct Wedge {
   std::optional<FarEdge> far{};          ///< of a coplanar pair: only lines that meet it beyond the edge count
 };
 
-/// Calls `take` with every wedge that may reach the light and something beyond, and with some others.
+/// How many sources wedges have: edges, facets and vertices, each with the wedges that are found from it.
+std::size_t wedge_source_count(const EventScene& scene);
+
+/// Calls `take` with every wedge of a source that may reach the light and something beyond, and with some others.
 ///
-/// Cost:  for each blocker's vertex two searches with the pyramid between it and the light; see coplanar_pairs.h.
+/// Cost:  for a blocker's vertex two searches with the pyramid between it and the light; see coplanar_pairs.h.
 /// After: `scene` is as before; points are added for the time of a call only.
+void for_each_wedge(EventScene& scene, std::size_t source, const std::function<void(const Wedge&)>& take);
+
+/// The same with the wedges of all sources, one after the other.
 void for_each_wedge(EventScene& scene, const std::function<void(const Wedge&)>& take);
 
 /// The event's name, its order and whether it is extremal.
