@@ -36,8 +36,7 @@ class CoplanarPairs {
         if (scene_.edges[e.edge].may_be_seen && !share_shape(edge, scene_.edges[e.edge])) far_.push_back(e.edge);
       }
     }
-    std::sort(far_.begin(), far_.end());
-    far_.erase(std::unique(far_.begin(), far_.end()), far_.end());
+    keep_once(far_);
     for (const EdgeId e : far_) {
       const BlockerEdge& far = scene_.edges[e];
       take_pair(near, {far.a, far.b, false, far.name}, e);
@@ -89,8 +88,11 @@ class CoplanarPairs {
   /// A pair of which one edge lies on the other's line has no plane of its own.
   std::optional<PlaneIds> common_plane(const BlockerEdge& near, const FarEdge& far) const {
     const auto& p = scene_.points;
-    if (orientation(p[near.a], p[near.b], p[far.a], p[far.b]) != 0) return {};
+    const auto is_shared = [&](PointId q) { return q == near.a || q == near.b; };
+    const bool share_end = is_shared(far.a) || is_shared(far.b);
+    if (!share_end && orientation(p[near.a], p[near.b], p[far.a], p[far.b]) != 0) return {};
     for (const PointId third : {far.a, far.b}) {
+      if (is_shared(third)) continue;
       if (Pencil(p, third, near.a, near.b).is_plane()) return PlaneIds{near.a, near.b, third};
     }
     return {};
@@ -158,11 +160,18 @@ class CoplanarPairs {
     scene_.shape_boxes.search(both_sides, found_);
   }
 
+  /// Blockers share corners and edges.
+  static void keep_once(std::vector<std::uint32_t>& ids) {
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  }
+
   /// The corners in the plane of blockers that it cuts, and where it cuts those of their edges that may be seen.
   void find_apexes(const PlaneIds& plane) {
     point_count_ = scene_.points.size();
     beside_ = point_beside(plane);
     apexes_.clear();
+    std::vector<EdgeId> edges;
     search_along(plane);
     for (const std::uint32_t s : found_) {
       const Shape& shape = scene_.shapes[s];
@@ -170,10 +179,13 @@ class CoplanarPairs {
       for (const PointId p : shape.corners) {
         if (side(plane, p) == 0) apexes_.push_back(p);
       }
-      for (const ShapeEdge& e : shape.edges) {
-        if (!scene_.edges[e.edge].may_be_seen || side(plane, e.a) * side(plane, e.b) >= 0) continue;
-        apexes_.push_back(add_crossing(plane, e.a, e.b));
-      }
+      for (const ShapeEdge& e : shape.edges) edges.push_back(e.edge);
+    }
+    keep_once(apexes_);
+    keep_once(edges);
+    for (const EdgeId id : edges) {
+      const BlockerEdge& e = scene_.edges[id];
+      if (e.may_be_seen && side(plane, e.a) * side(plane, e.b) < 0) apexes_.push_back(add_crossing(plane, e.a, e.b));
     }
     std::erase_if(apexes_, [&](PointId p) {
       const int s = scene_.light_side(p);
@@ -239,12 +251,13 @@ class CoplanarPairs {
     return plane[0];
   }
 
-  /// True if certainly no line through the apex meets both segments: all ends of one turn alike from those of the
-  /// other.
+  /// True if certainly not more than one line through the apex meets both segments: all ends of one turn alike from
+  /// those of the other. One line is what is left where they share an end, and that leaves no trace.
   bool are_apart(PointId apex, const std::array<PointId, 2>& p, std::span<const PointId> q) const {
     unsigned signs = 0;
     for (const PointId a : p) {
       for (const PointId b : q) {
+        if (a == b) continue;
         const auto sign = certain_sign(
             bracket<Interval>(scene_.points[apex], scene_.points[a], scene_.points[b], scene_.points[beside_]));
         if (!sign || *sign == 0) return false;

@@ -200,7 +200,7 @@ bool WedgeTracer::subtract_towards_light(Pencil& pencil, const Wedge& wedge, Con
 
 /// Keeps the lines that meet the far edge of a coplanar pair before the light. Returns: false if there are none.
 bool WedgeTracer::keep_far(Pencil& pencil, const Wedge& wedge) {
-  if (!wedge.far || wedge.far->a == wedge.a) return true;
+  if (!wedge.far || (wedge.far->a == wedge.a && wedge.far->b == wedge.b)) return true;
   const Nodes segment{pencil.add_point(wedge.far->a), pencil.add_point(wedge.far->b)};
   if (pencil.is_apex(segment[0]) || pencil.is_apex(segment[1]) || passes_through_apex(pencil, segment)) return true;
   std::vector<RayRange> kept;

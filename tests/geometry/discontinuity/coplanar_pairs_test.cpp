@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 
+#include "tests/geometry/discontinuity/mesh_cases.h"
 #include "tests/geometry/discontinuity/mesh_probe.h"
 
 namespace gnomon {
@@ -158,6 +160,54 @@ TEST(CoplanarPairs, AreNotTracedWhereNoLightComesThrough) {
   blockers.push_back(rectangle(-9, -30, 9, 30, 0.5, Facing::up));
   const auto is_pair = [](const EventName& name) { return name.kind == EventKind::coplanar_edges; };
   EXPECT_EQ(length_on_axis(mesh_of(long_lamp, blockers), is_pair), 0);
+}
+
+/// The ends of a named edge of a flat blocker whose corners are all its points.
+std::array<ExactVector, 2> ends_of(const Blockers& blockers, const EventElement& edge) {
+  const auto points = std::get<ConvexPolygon>(blockers[edge.element]).points();
+  return {exact(points[edge.index]), exact(points[(edge.index + 1) % points.size()])};
+}
+
+/// True if a ray from p passes through the middles of both segments, all in one plane: such a ray runs between the ways
+/// to two of the four ends.
+bool sees_in_line(const ExactVector& p, const std::array<ExactVector, 2>& s, const std::array<ExactVector, 2>& t) {
+  const std::array<ExactVector, 4> ways{s[0] - p, s[1] - p, t[0] - p, t[1] - p};
+  const ExactVector normal = cross(ways[0], ways[1]);
+  const auto is_between = [&](const ExactVector& way, std::size_t k) {
+    const Rational turn = dot(cross(ways[k], ways[k + 1]), normal);
+    return dot(cross(ways[k], way), normal) * turn > 0 && dot(cross(way, ways[k + 1]), normal) * turn > 0;
+  };
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const ExactVector way = ways[i] + ways[j];
+      if (is_between(way, 0) && is_between(way, 2)) return true;
+    }
+  }
+  return false;
+}
+
+TEST(CoplanarPairsProperty, AreSeenInLineWhereTheyAreTraced) {
+  constexpr unsigned count = GNOMON_LONG ? 2000 : 200;
+  std::size_t seen = 0;
+  for (unsigned seed = 1; seed <= count; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    test_support::Dice dice(seed);
+    const test_support::SideCase drawn = test_support::mesh_under_lamp(dice);
+    const ReceiverMesh mesh = receiver_meshes(drawn.light, drawn.blockers, drawn.receivers).front();
+    for (const MeshEdge& edge : mesh.edges()) {
+      const auto& data = mesh.data();
+      const ExactVector middle =
+          Rational(1, 2) * (data.plane.spatial(data.point(edge.source)) + data.plane.spatial(data.point(edge.target)));
+      for (const std::uint32_t n : edge.names) {
+        const EventName& name = mesh.names()[n];
+        if (name.kind != EventKind::coplanar_edges || name.vertex.of != EventOf::blocker) continue;
+        const auto far = ends_of(drawn.blockers, name.vertex), near = ends_of(drawn.blockers, name.edge);
+        EXPECT_TRUE(sees_in_line(middle, far, near)) << test_support::scene_text(drawn);
+        ++seen;
+      }
+    }
+  }
+  EXPECT_GT(seen, count);
 }
 
 }  // namespace
