@@ -37,8 +37,15 @@ struct BlockerSet::Content {
     std::uint32_t count = 0;
     std::int32_t solid = -1;  ///< index in `solids`, or -1 for a flat blocker
   };
+  /// The one other edge of a flat blocker between the same two points.
+  struct Mate {
+    static constexpr std::uint32_t none = ~std::uint32_t{0};
+    std::uint32_t shape = none;
+    bool is_opposite = false;  ///< it runs the other way
+  };
   std::vector<Point3> points;
   std::vector<std::uint32_t> names;
+  std::vector<Mate> mates;  ///< of the edges that start at the points; none where several blockers have an edge
   std::vector<Shape> shapes;
   std::vector<ConvexSolid> solids;
   std::shared_ptr<const BoxTree> tree;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 #include "geometry/visibility/blocker_content.h"
 #include "geometry/visibility/box_tree.h"
@@ -52,6 +53,42 @@ void append(BlockerSet::Content& content, const ConvexSolid& solid) {
   content.shapes.push_back(shape);
 }
 
+/// An edge of a flat blocker, its lower end first.
+struct FlatEdge {
+  Point3 low;
+  Point3 high;
+  std::uint32_t shape = 0;
+  std::uint32_t place = 0;  ///< of its start in `points`
+  bool falls = false;       ///< it starts at the higher end
+};
+
+auto ends(const FlatEdge& e) {
+  return std::tie(e.low.x, e.low.y, e.low.z, e.high.x, e.high.y, e.high.z);
+}
+
+void find_mates(BlockerSet::Content& content) {
+  using Content = BlockerSet::Content;
+  std::vector<FlatEdge> edges;
+  edges.reserve(content.points.size());
+  for (std::uint32_t s = 0; s < content.shapes.size(); ++s) {
+    const Content::Shape& shape = content.shapes[s];
+    for (std::uint32_t k = 0; k < shape.count && shape.solid < 0; ++k) {
+      const Point3 &a = content.points[shape.first + k], &b = content.points[shape.first + (k + 1) % shape.count];
+      const bool falls = std::tie(b.x, b.y, b.z) < std::tie(a.x, a.y, a.z);
+      edges.push_back({falls ? b : a, falls ? a : b, s, shape.first + k, falls});
+    }
+  }
+  std::sort(edges.begin(), edges.end(), [](const FlatEdge& e, const FlatEdge& f) { return ends(e) < ends(f); });
+  content.mates.assign(content.points.size(), {});
+  for (std::size_t i = 0, next = 0; i < edges.size(); i = next) {
+    while (next < edges.size() && ends(edges[next]) == ends(edges[i])) ++next;
+    if (next - i != 2) continue;
+    const FlatEdge &e = edges[i], &f = edges[i + 1];
+    content.mates[e.place] = {f.shape, e.falls != f.falls};
+    content.mates[f.place] = {e.shape, e.falls != f.falls};
+  }
+}
+
 }  // namespace
 
 BlockerSet::BlockerSet(std::span<const ConvexBlocker> blockers) {
@@ -64,6 +101,7 @@ BlockerSet::BlockerSet(std::span<const ConvexBlocker> blockers) {
     content->largest = std::max(content->largest, largest_coordinate(boxes.back()));
     std::visit([&](const auto& shape) { append(*content, shape); }, blocker);
   }
+  find_mates(*content);
   if (blockers.size() >= smallest_tree) content->tree = box_tree(boxes);
   content_ = std::move(content);
 }

@@ -31,7 +31,9 @@ class FastVisibility::Work {
   int turn_to(const Point3& apex);
   Gathered gather(const Point3& apex, const ReceiverPoint* receiver);
   void walk(const Point3& apex);
+  bool is_between_facets(std::uint32_t outline, std::uint32_t k) const;
   void append_stretches_inside(BoundaryWalk& walk, std::uint32_t outline);
+  void box_blocks();
   void find_neighbours(std::uint32_t outline);
   void append_visible(BoundaryWalk& walk, const Piece& piece);
   LightSeen bounded(Region region, double fraction, double bound, std::size_t pieces);
@@ -57,8 +59,12 @@ class FastVisibility::Work {
   LightCut cut_;                ///< by the receiver's plane
   Outlines outlines_;
   std::vector<std::uint32_t> candidates_;
-  std::vector<Piece> inside_;   ///< of the blockers' edges, inside the light
-  std::vector<Piece> visible_;  ///< what is not covered of those and of the light's edges
+  std::vector<std::uint32_t> outline_of_;  ///< of each blocker, while edges are walked; 0 without one
+  bool any_inside_ = false;                ///< some edge of a blocker is inside the light
+  std::vector<Piece> inside_;              ///< of the blockers' edges, inside the light, those that may bound something
+  std::vector<Piece> visible_;             ///< what is not covered of those and of the light's edges
+  static constexpr std::uint32_t block_size = 16;
+  std::vector<FlatBox> blocks_;
   std::vector<std::uint32_t> neighbours_;
   std::vector<std::int8_t> sides_;
   std::vector<Stretch> covers_;
@@ -159,26 +165,49 @@ Gathered FastVisibility::Work::gather(const Point3& apex, const ReceiverPoint* r
   return builder.append_blockers(blockers_.content(), candidates_);
 }
 
+/// True of an edge of a mesh with a facet on either side, as seen: neither bounds what is hidden.
+bool FastVisibility::Work::is_between_facets(std::uint32_t outline, std::uint32_t k) const {
+  const Outline& own = outlines_.list[outline];
+  const BlockerSet::Content& blockers = blockers_.content();
+  const BlockerSet::Content::Shape& shape = blockers.shapes[own.element];
+  if (shape.solid >= 0) return false;
+  const BlockerSet::Content::Mate& mate = blockers.mates[shape.first + own.original(k)];
+  if (mate.shape == BlockerSet::Content::Mate::none || outline_of_[mate.shape] == 0) return false;
+  // Outlines run counterclockwise: two that run along an edge in opposite ways lie on its two sides.
+  const Outline& other = outlines_.list[outline_of_[mate.shape]];
+  return mate.is_opposite == (own.reversed == other.reversed);
+}
+
 /// The parts of the outline's edges inside the light; they are what makes it hide something.
 void FastVisibility::Work::append_stretches_inside(BoundaryWalk& walk, std::uint32_t outline) {
   const Outline& o = outlines_.list[outline];
   for (std::uint32_t k = 0; k < o.count; ++k) {
     Piece piece{edge_of(outlines_, outline, k), whole_edge};
-    if (o.inside || walk.stretch_inside(piece.edge, 0, Alongside::nothing, piece.stretch)) inside_.push_back(piece);
+    if (!o.inside && !walk.stretch_inside(piece.edge, 0, Alongside::nothing, piece.stretch)) continue;
+    any_inside_ = true;
+    if (!is_between_facets(outline, k)) inside_.push_back(piece);
   }
+}
+
+/// Boxes around the outlines of each block of neighbours in the list, which on a mesh are neighbours in space.
+void FastVisibility::Work::box_blocks() {
+  const std::size_t count = outlines_.list.size();
+  blocks_.assign(count / block_size + 1, {});
+  for (std::size_t i = 1; i < count; ++i) blocks_[i / block_size].include(outlines_.list[i].box);
 }
 
 /// Replaces the neighbours by the blockers' outlines whose boxes meet the outline's box.
 void FastVisibility::Work::find_neighbours(std::uint32_t outline) {
-  const std::size_t count = outlines_.list.size();
-  neighbours_.resize(count);
-  std::size_t found = 0;
+  const auto count = static_cast<std::uint32_t>(outlines_.list.size());
+  neighbours_.clear();
   const FlatBox box = outlines_.list[outline].box;
-  for (std::uint32_t i = 1; i < count; ++i) {
-    neighbours_[found] = i;
-    found += i != outline && box.meets(outlines_.list[i].box) ? 1 : 0;
+  for (std::uint32_t block = 0; block < blocks_.size(); ++block) {
+    if (!box.meets(blocks_[block])) continue;
+    const std::uint32_t end = std::min(count, (block + 1) * block_size);
+    for (std::uint32_t i = std::max(1U, block * block_size); i < end; ++i) {
+      if (i != outline && box.meets(outlines_.list[i].box)) neighbours_.push_back(i);
+    }
   }
-  neighbours_.resize(found);
 }
 
 /// Where edges of two blockers run along each other, with both blockers on one side, the first blocker's counts; with
@@ -204,10 +233,16 @@ void FastVisibility::Work::append_visible(BoundaryWalk& walk, const Piece& piece
 }
 
 void FastVisibility::Work::walk(const Point3& apex) {
+  any_inside_ = false;
   inside_.clear();
   visible_.clear();
   BoundaryWalk walk(apex, outlines_, sides_);
-  for (std::uint32_t i = 1; i < outlines_.list.size(); ++i) append_stretches_inside(walk, i);
+  const auto count = static_cast<std::uint32_t>(outlines_.list.size());
+  outline_of_.resize(blockers_.content().shapes.size());
+  for (std::uint32_t i = 1; i < count; ++i) outline_of_[outlines_.list[i].element] = i;
+  for (std::uint32_t i = 1; i < count; ++i) append_stretches_inside(walk, i);
+  for (std::uint32_t i = 1; i < count; ++i) outline_of_[outlines_.list[i].element] = 0;
+  box_blocks();
   find_neighbours(0);
   const std::uint32_t light_edges = outlines_.list.front().count;
   for (std::uint32_t k = 0; k < light_edges; ++k) append_visible(walk, {edge_of(outlines_, 0, k), whole_edge});
@@ -317,7 +352,7 @@ std::optional<LightSeen> FastVisibility::Work::look(const Point3& point, const R
   if (gathered == Gathered::covered) return LightSeen{Region::umbra, 0, 0, {}, {}};
   if (outlines_.list.size() == 1) return wholly_visible();
   walk(point);
-  if (inside_.empty()) return wholly_visible();
+  if (!any_inside_) return wholly_visible();
   if (visible_.empty()) return LightSeen{Region::umbra, 0, 0, {}, {}};
   return cut_.extent == Extent::part ? part_before() : visible_part();
 }

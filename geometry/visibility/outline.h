@@ -104,9 +104,12 @@ struct Outline {
   std::uint32_t element = 0;  ///< index of the blocker
   bool inside = false;        ///< certainly inside the light as seen, strictly: no edge meets one of the light's
   FlatBox box;                ///< cut to the light's, which is all that matters
+  bool reversed = false;      ///< of a flat blocker: its corners run the other way
 
   std::uint32_t before(std::uint32_t k) const { return k == 0 ? count - 1 : k - 1; }
   std::uint32_t after(std::uint32_t k) const { return k + 1 == count ? 0 : k + 1; }
+  /// Which of a flat blocker's edges runs from ray k to the next.
+  std::uint32_t original(std::uint32_t k) const { return reversed ? count - 1 - after(k) : k; }
 };
 
 /// Outlines in one piece of memory that is used again for the next apex. The first is the light's.

@@ -89,6 +89,7 @@ void OutlineBuilder::reverse_rays() {
 int OutlineBuilder::append_counterclockwise(std::span<const std::uint32_t> names) {
   const Ray* rays = outlines_.rays.data() + first_;
   const int turn = side(apex_, Plane(rays[0], rays[1], 0), rays[2]);
+  reversed_ = turn < 0;
   if (turn < 0) reverse_rays();
   if (turn != 0) append_planes(names, turn < 0);
   return turn;
@@ -242,6 +243,7 @@ Seen OutlineBuilder::finished(std::uint32_t element) {
   outline.count = static_cast<std::uint32_t>(outlines_.rays.size()) - first_;
   outline.element = element;
   outline.inside = inside_;
+  outline.reversed = reversed_;
   const Seen seen = inside_ ? Seen::outlined : seen_by_light(outline);
   if (seen == Seen::apart) return dropped();
   if (seen != Seen::outlined) return seen;

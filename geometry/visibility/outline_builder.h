@@ -85,6 +85,7 @@ class OutlineBuilder {
   std::uint32_t first_ = 0;      ///< of the outline being built
   bool sides_are_exact_ = true;  ///< of its rays, at the pyramid
   bool inside_ = false;          ///< all of these are positive
+  bool reversed_ = false;        ///< its rays run against the corners' order
 };
 
 }  // namespace gnomon::sight
