@@ -112,12 +112,16 @@ std::optional<PointTriple> first_triangle(std::span<const Point3> points) {
   return std::nullopt;
 }
 
+/// The three points are not asked whether they lie in their own plane: only exact arithmetic could tell.
 bool lie_in_plane(std::span<const Point3> points, const PointTriple& triple) {
   const auto p = to_cgal(points[triple[0]]);
   const auto q = to_cgal(points[triple[1]]);
   const auto r = to_cgal(points[triple[2]]);
-  return std::all_of(points.begin(), points.end(),
-                     [&](const Point3& s) { return CGAL::orientation(p, q, r, to_cgal(s)) == CGAL::COPLANAR; });
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    if (std::find(triple.begin(), triple.end(), i) != triple.end()) continue;
+    if (CGAL::orientation(p, q, r, to_cgal(points[i])) != CGAL::COPLANAR) return false;
+  }
+  return true;
 }
 
 bool is_triangle(const Point2& p, const Point2& q, const Point2& r) {
