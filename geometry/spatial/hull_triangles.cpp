@@ -15,7 +15,7 @@ namespace {
 using FaceId = std::uint32_t;
 constexpr FaceId no_face = std::numeric_limits<FaceId>::max();
 
-struct Face {
+struct HullFace {
   HullTriangle corners;
   std::array<FaceId, 3> neighbours;  ///< across the edge from corner i to corner i + 1
   std::vector<std::uint32_t> above;  ///< points to come that wait here: each strictly outside of this face
@@ -58,7 +58,7 @@ class GrowingHull {
       if (waiting_at_[p] != no_face) add(p);
     }
     std::vector<HullTriangle> result;
-    for (const Face& face : faces_) {
+    for (const HullFace& face : faces_) {
       if (!face.dead) result.push_back(face.corners);
     }
     return result;
@@ -127,12 +127,12 @@ class GrowingHull {
   }
 
   void link(FaceId f) {
-    Face& face = faces_[f];
+    HullFace& face = faces_[f];
     const auto [from, to, top] = face.corners;
     const FaceId next = face_at_[to];
     face.neighbours[1] = next;
     faces_[next].neighbours[2] = f;
-    Face& beyond = faces_[face.neighbours[0]];
+    HullFace& beyond = faces_[face.neighbours[0]];
     for (std::size_t i = 0; i < 3; ++i) {
       if (beyond.corners[i] == to && beyond.corners[(i + 1) % 3] == from) beyond.neighbours[i] = f;
     }
@@ -155,7 +155,7 @@ class GrowingHull {
   std::vector<HorizonEdge> horizon_of(const std::vector<FaceId>& seen) const {
     std::vector<HorizonEdge> horizon;
     for (const FaceId f : seen) {
-      const Face& face = faces_[f];
+      const HullFace& face = faces_[f];
       for (std::size_t i = 0; i < 3; ++i) {
         if (faces_[face.neighbours[i]].dead) continue;
         horizon.push_back({face.corners[i], face.corners[(i + 1) % 3], face.neighbours[i]});
@@ -167,7 +167,7 @@ class GrowingHull {
   std::span<const Point3> points_;
   std::vector<std::uint32_t> order_;
   OrientationFilter filter_;
-  std::vector<Face> faces_;
+  std::vector<HullFace> faces_;
   std::vector<FaceId> face_at_;     ///< the newest face whose first corner is that point
   std::vector<FaceId> waiting_at_;  ///< of a point to come
 };

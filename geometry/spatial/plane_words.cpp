@@ -14,7 +14,7 @@ namespace {
 
 using Triple = std::array<double, 3>;
 
-constexpr double rounding = 0x1p-97;
+constexpr double word_rounding = 0x1p-97;
 constexpr double underflow = 0x1p-900;
 
 struct Number {
@@ -29,7 +29,7 @@ Number minor_of(const DoubleWord& a, const DoubleWord& b, const DoubleWord& c, c
   const DoubleWord high = exact_difference(first.high, second.high);
   const double low =
       high.low + (first.low - second.low) + ((a.high * d.low + a.low * d.high) - (b.high * c.low + b.low * c.high));
-  return {exact_sum(high.high, low), (std::abs(first.high) + std::abs(second.high)) * rounding + underflow};
+  return {exact_sum(high.high, low), (std::abs(first.high) + std::abs(second.high)) * word_rounding + underflow};
 }
 
 /// normal x + offset.
@@ -44,7 +44,7 @@ Number height(const PlaneWords& plane, const std::array<Halves, 3>& x) {
     size += std::abs(product.high);
     error += plane.normal_error[i] * std::abs(x[i].value);
   }
-  return {exact_sum(sum.high, sum.low), error + size * rounding + underflow};
+  return {exact_sum(sum.high, sum.low), error + size * word_rounding + underflow};
 }
 
 void set_axis_plane(const PlaneDefinition& plane, PlaneWords& result) {
