@@ -48,11 +48,16 @@ TEST_F(RenderCommand, DrawsAFolderAsItDrawsItsScene) {
 }
 
 TEST_F(RenderCommand, RefusesAnEndingThatIsNoFormat) {
-  for (const std::string file : {"picture", "picture.jpg", "picture.PNG", "png"}) {
+  for (const std::string file : {"picture", "picture.jpg", "picture.png.txt", "png"}) {
     const Outcome run = gnomon("render table.scene.json --out " + file);
     EXPECT_EQ(run.code, 2) << file;
     EXPECT_THAT(run.err, AllOf(HasSubstr("--out " + file), HasSubstr(".png, .svg"))) << file;
   }
+}
+
+TEST_F(RenderCommand, TakesEndingsInCapitals) {
+  EXPECT_EQ(gnomon("render table.scene.json --out picture.GLTF").code, 0);
+  EXPECT_TRUE(nlohmann::json::accept(read("picture.GLTF")));
 }
 
 TEST_F(RenderCommand, EndsWith4ForALineDrawingOfSpace) {
