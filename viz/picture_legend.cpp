@@ -105,7 +105,7 @@ class LegendPage {
 };
 
 /// The letters' height with which everything fits the page.
-double letter_size(const LegendPage& page, const Legend& legend) {
+double height_of_letters(const LegendPage& page, const Legend& legend) {
   // A letter of this typeface is a little more than half as wide as it is high.
   constexpr double letter = 0.57;
   double widest = letter * 1.2 * static_cast<double>(legend.title.size()) + 0.6;
@@ -199,7 +199,7 @@ std::vector<LegendEntry> legend_entries(const PictureScene& scene) {
 
 void add_legend(vtkRenderer& renderer, const Legend& legend, double pixel) {
   LegendPage page(renderer, pixel);
-  const double size = letter_size(page, legend);
+  const double size = height_of_letters(page, legend);
   double y = page.height() - 3 * size;
   page.text(legend.title, 0.3 * size, y, 1.15 * size, Weight::bold);
   for (const LegendEntry& entry : legend.entries) {

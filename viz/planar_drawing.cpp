@@ -18,7 +18,6 @@ constexpr std::size_t most_line_names = 12;
 constexpr double shortest_labelled = 120;
 constexpr double line_width = 2;
 constexpr double line_dash = 9;
-constexpr double line_letter = 11;
 
 double unit_per_pixel(const Box3& box, const DrawingSize& size) {
   constexpr double margin = 1.05;
@@ -91,7 +90,7 @@ void add_names(PlanarDrawing& drawing, const PictureSource& source, const std::s
     const Point3 way = line.segment.end - line.segment.start;
     if (length(way) < shortest_labelled * unit) continue;
     const Point3 at = line.segment.start + 0.8 * way - drawing.box.min;
-    boxes.push_back(label_box(name, line_letter, at.x / unit, at.y / unit));
+    boxes.push_back(label_box(name, letter_size, at.x / unit, at.y / unit));
     const Color& color = separating ? palette.separating : palette.supporting;
     marks.push_back(
         {Words{{}, name, color}, separating ? "separating line" : "supporting line", light_mark(source, light)});

@@ -12,6 +12,9 @@
 
 namespace gnomon::viz {
 
+/// The height of the letters of names, in pixels of the finished picture.
+constexpr double letter_size = 11;
+
 /// Filled polygons; where they overlap or are translucent they count as one area.
 struct Fill {
   std::vector<Polygon> polygons;

@@ -19,8 +19,6 @@
 namespace gnomon::viz {
 namespace {
 
-constexpr double label_size = 11;
-
 /// The dashes of a stroke along a segment, lengths in the scene's unit; a dash begins and ends it.
 std::vector<Segment> dashes(const Segment& segment, double dash) {
   const Point3 way = segment.end - segment.start;
@@ -91,7 +89,7 @@ class Sheet {
     const double x = window_pixels_ * (width_ / 2 + (mark.at.x - middle_.x) / unit_per_pixel_);
     const double y =
         half_height_ / unit_per_pixel_ * window_pixels_ + window_pixels_ * (mark.at.y - middle_.y) / unit_per_pixel_;
-    add_words(renderer_, {mark.text, x, y, label_size * window_pixels_, mark.color});
+    add_words(renderer_, {mark.text, x, y, letter_size * window_pixels_, mark.color});
   }
 
   void next() { height_ += step_; }

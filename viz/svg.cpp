@@ -9,7 +9,6 @@
 namespace gnomon::viz {
 namespace {
 
-constexpr double label_size = 11;
 constexpr double legend_size = 13;
 
 /// At most three decimals, and none that say nothing.
@@ -78,7 +77,7 @@ class Page {
   }
 
   std::string operator()(const Words& mark) const {
-    return words(x(mark.at), y(mark.at) + 0.35 * label_size, label_size,
+    return words(x(mark.at), y(mark.at) + 0.35 * letter_size, letter_size,
                  " text-anchor=\"middle\" paint-order=\"stroke\" stroke=\"#ffffff\" stroke-width=\"3\" fill=\"" +
                      color_text(mark.color) + "\"",
                  mark.text);

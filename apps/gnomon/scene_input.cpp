@@ -14,8 +14,9 @@ namespace gnomon {
 namespace {
 
 bool is_mesh_file(const std::filesystem::path& file) {
-  constexpr std::array<std::string_view, 8> endings = {".obj", ".off", ".ply", ".stl", ".OBJ", ".OFF", ".PLY", ".STL"};
-  return std::ranges::find(endings, file.extension().string()) != endings.end();
+  constexpr std::array<std::string_view, 8> mesh_endings = {".obj", ".off", ".ply", ".stl",
+                                                            ".OBJ", ".OFF", ".PLY", ".STL"};
+  return std::ranges::find(mesh_endings, file.extension().string()) != mesh_endings.end();
 }
 
 /// A scene of a mesh under a sun, over a floor where a place for it is known.
