@@ -57,7 +57,7 @@ void peel_translucent_layers(vtkRenderer& renderer) {
   vtkNew<vtkDepthPeelingPass> peeling;
   peeling->SetTranslucentPass(translucent);
   peeling->SetMaximumNumberOfPeels(most_peels);
-  peeling->SetOcclusionRatio(0);
+  peeling->SetOcclusionRatio(2e-5);  // a layer of a hundred of five million dots is not seen
   vtkNew<vtkRenderStepsPass> steps;
   steps->SetTranslucentPass(peeling);
   renderer.SetPass(steps);
