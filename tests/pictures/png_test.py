@@ -53,6 +53,24 @@ class Pictures(unittest.TestCase):
         self.assertAlmostEqual(found[UMBRA] / found[PENUMBRA], areas["umbra"]["double"] / areas["penumbra"]["double"],
                                delta=0.05)
 
+    def test_of_every_size_show_the_umbra_behind_the_penumbra(self):
+        """The walls of the umbra, seen through one of the penumbra and before another, in the colour they have then."""
+        lamp = {"name": "lamp", "shape": "polygon",
+                "vertices": [[-0.5523029120714642, -0.13640534527590453, 2.6445354095025193],
+                             [-0.5523029120714642, 0.3778950351453628, 2.9535582544485517],
+                             [0.5523029120714642, 0.13640534527590453, 3.3554645904974807],
+                             [0.5523029120714642, -0.3778950351453628, 3.0464417455514483]]}
+        board = {"name": "b", "shape": "polygon",
+                 "vertices": [[-0.5, -0.5, 1], [0.5, -0.5, 1], [0.5, 0.5, 1], [-0.5, 0.5, 1]]}
+        floor = {"name": "floor", "shape": "polygon", "vertices": [[-4, -4, 0], [4, -4, 0], [4, 4, 0], [-4, 4, 0]]}
+        self.write([lamp], [board], [floor])
+        for size in ("1024x768", "1280x960"):
+            self.gnomon("render", "a.scene.json", "--out", "a.png", "--size", size)
+            found = Pixels((self.folder / "a.png").read_bytes()).histogram()
+            wall = sum(count for color, count in found.items()
+                       if max(abs(c - w) for c, w in zip(color, (75, 109, 141))) < 12)
+            self.assertGreater(wall, 2000, size)
+
     def test_of_a_mesh_colour_its_receiver_by_all_facets_together(self):
         self.write([LAMP], [{"name": "roof", "shape": "mesh", "file": "roof.obj"}])
         self.expect_ratio(self.picture("a.scene.json", "--camera", "top"), "lamp")
