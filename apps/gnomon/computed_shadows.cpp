@@ -1,13 +1,12 @@
 #include "apps/gnomon/computed_shadows.h"
 
 #include <algorithm>
-#include <atomic>
-#include <future>
 #include <span>
 #include <thread>
 #include <variant>
 
 #include "apps/gnomon/console.h"
+#include "geometry/parallel.h"
 
 namespace gnomon {
 namespace {
@@ -98,20 +97,11 @@ ShadowResult computed_shadows(const Scene& scene, const std::vector<ScenePair>& 
   Progress progress("pair", pairs.size(), effort.shows_progress ? automatic : hidden);
   if (scene.dimension == 2) return computed_in_plane(scene, pairs, clip_box, progress);
   ShadowResult result{&scene, clip_box, std::vector<PairResult>(pairs.size())};
-  std::atomic<std::size_t> next = 0;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < pairs.size(); i = next++) {
-      result.pairs[i] = computed(scene, pairs[i], clip_box);
-      progress.step();
-    }
-  };
   const unsigned threads = effort.threads ? effort.threads : std::max(1U, std::thread::hardware_concurrency());
-  // Helpers beside this thread; a future hands on what its helper throws.
-  std::vector<std::future<void>> helpers;
-  const std::size_t helper_count = std::min<std::size_t>(threads, pairs.size());
-  for (std::size_t i = 1; i < helper_count; ++i) helpers.push_back(std::async(std::launch::async, work));
-  work();
-  for (std::future<void>& helper : helpers) helper.get();
+  for_all(pairs.size(), threads, [&](std::size_t i, std::size_t) {
+    result.pairs[i] = computed(scene, pairs[i], clip_box);
+    progress.step();
+  });
   return result;
 }
 

@@ -65,12 +65,9 @@ Parts parts_of(const Scene& scene, DiscontinuityResult& result) {
     if (auto space = enclosed_space(scene.blockers[b])) parts.enclosures.push_back(std::move(*space));
   }
   for (std::uint32_t r = 0; r < scene.receivers.size(); ++r) {
-    if (scene.receivers[r].shape.is_flat()) {
-      parts.receivers.push_back(scene.receivers[r].shape);
-      parts.receiver_ids.push_back(r);
-    } else {
-      print_warning("receiver '" + scene.receivers[r].name + "' is left out: its vertices are not exactly coplanar");
-    }
+    if (!scene.receivers[r].shape.is_flat()) continue;
+    parts.receivers.push_back(scene.receivers[r].shape);
+    parts.receiver_ids.push_back(r);
   }
   return parts;
 }
@@ -121,6 +118,14 @@ bool is_chosen(const SceneReceiver& receiver, const std::string& name) {
   return name.empty() || receiver.is_called(name);
 }
 
+/// Warns of the receivers asked for that parts_of leaves out.
+void warn_of_rounded(const Scene& scene, const std::string& asked_for) {
+  for (const SceneReceiver& receiver : scene.receivers) {
+    if (receiver.shape.is_flat() || !is_chosen(receiver, asked_for)) continue;
+    print_warning("receiver '" + receiver.name + "' is left out: its vertices are not exactly coplanar");
+  }
+}
+
 /// Why nothing that is asked for can be divided; empty if something can.
 std::string division_refusal(const Scene& scene, const ReceiverSelection& selection) {
   const std::string range = range_refusal(scene);
@@ -150,6 +155,7 @@ DiscontinuityResult divided_receivers(const Scene& scene, const ReceiverSelectio
   }
   require_receiver("--receiver", selection.receiver, scene.receivers);
   const std::vector<std::uint32_t> lights = supported_lights(scene, selection.light, parts);
+  warn_of_rounded(scene, selection.receiver);
   std::vector<std::uint32_t> chosen;
   for (std::uint32_t r = 0; r < parts.receivers.size(); ++r) {
     if (is_chosen(scene.receivers[parts.receiver_ids[r]], selection.receiver)) chosen.push_back(r);
@@ -199,6 +205,7 @@ DiscontinuityResult scene_surfaces(const Scene& scene, const std::string& light,
   DiscontinuityResult result{&scene, box, {}, {}};
   const Parts parts = parts_of(scene, result);
   const std::vector<std::uint32_t> lights = supported_lights(scene, light, parts);
+  warn_of_rounded(scene, {});
   Progress progress("light", lights.size(), effort.shows_progress ? automatic : hidden);
   std::vector<SurfaceResult> made(lights.size());
   for_all(lights.size(), thread_count(effort), [&](std::size_t i, std::size_t) {
