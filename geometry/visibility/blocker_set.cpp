@@ -5,6 +5,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "geometry/boxes.h"
 #include "geometry/visibility/blocker_content.h"
 #include "geometry/visibility/box_tree.h"
 
@@ -16,15 +17,6 @@ constexpr std::size_t smallest_tree = 24;
 
 std::span<const Point3> points_of(const ConvexBlocker& blocker) {
   return std::visit([](const auto& shape) { return shape.points(); }, blocker);
-}
-
-Box3 box_around(std::span<const Point3> points) {
-  Box3 box{points.front(), points.front()};
-  for (const Point3& p : points) {
-    box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};
-    box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
-  }
-  return box;
 }
 
 double largest_coordinate(const Box3& box) {

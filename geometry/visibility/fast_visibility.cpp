@@ -13,7 +13,9 @@
 #include "geometry/visibility/flat_area.h"
 #include "geometry/visibility/light_cut.h"
 #include "geometry/visibility/outline_builder.h"
+#include "geometry/visibility/outline_grid.h"
 #include "geometry/visibility/receiver_candidates.h"
+#include "geometry/visibility/turned_away.h"
 
 namespace gnomon {
 
@@ -33,8 +35,6 @@ class FastVisibility::Work {
   void walk(const Point3& apex);
   bool is_between_facets(std::uint32_t outline, std::uint32_t k) const;
   void append_stretches_inside(BoundaryWalk& walk, std::uint32_t outline);
-  void box_blocks();
-  void find_neighbours(std::uint32_t outline);
   void append_visible(BoundaryWalk& walk, const Piece& piece);
   LightSeen bounded(Region region, double fraction, double bound, std::size_t pieces);
   FlatArea set_boundary();
@@ -53,6 +53,7 @@ class FastVisibility::Work {
   bool in_range_;
   LightSide front_;
   LightSide back_;
+  TurnedAway turned_away_;
   FlatArea light_area_;
 
   LightSide* shown_ = &front_;  ///< to the apex of the question
@@ -63,9 +64,8 @@ class FastVisibility::Work {
   bool any_inside_ = false;                ///< some edge of a blocker is inside the light
   std::vector<Piece> inside_;              ///< of the blockers' edges, inside the light, those that may bound something
   std::vector<Piece> visible_;             ///< what is not covered of those and of the light's edges
-  static constexpr std::uint32_t block_size = 16;
-  std::vector<FlatBox> blocks_;
-  std::vector<std::uint32_t> neighbours_;
+  OutlineGrid grid_;
+  std::vector<std::uint32_t> neighbours_;  ///< outlines whose boxes meet that of the one whose edges are walked
   std::vector<std::int8_t> sides_;
   std::vector<Stretch> covers_;
   std::vector<std::array<FlatPoint, 2>> flats_;  ///< the ends of the visible pieces
@@ -136,6 +136,7 @@ FastVisibility::Work::Work(const AreaLight& light, BlockerSet blockers)
       flat_(light.polygon.is_flat()),
       front_(light_side(light.polygon, true, turned(plane_of(light.polygon)))),
       back_(light_side(light.polygon, false, plane_of(light.polygon))),
+      turned_away_(blockers_.content(), front_.corners),
       light_area_(flat_area(front_.corners, front_.plane.u, front_.plane.v)) {
   in_range_ =
       std::all_of(front_.corners.begin(), front_.corners.end(), is_in_range) && blockers_.content().largest <= largest;
@@ -157,10 +158,11 @@ int FastVisibility::Work::turn_to(const Point3& apex) {
   return side;
 }
 
-/// Outlines the light and what may hide it.
+/// Outlines the light and what may hide it. Without the facets under a receiver's point a surface is not closed.
 Gathered FastVisibility::Work::gather(const Point3& apex, const ReceiverPoint* receiver) {
   OutlineBuilder builder(apex, *shown_, outlines_);
   blockers_.content().collect({apex, outlines_.pyramid(), shown_->plane}, candidates_);
+  if (!receiver || receiver->under.empty()) turned_away_.remove_from(candidates_, apex);
   if (receiver && !keep_before(*receiver, blockers_.content(), candidates_)) return Gathered::undecided;
   return builder.append_blockers(blockers_.content(), candidates_);
 }
@@ -189,27 +191,6 @@ void FastVisibility::Work::append_stretches_inside(BoundaryWalk& walk, std::uint
   }
 }
 
-/// Boxes around the outlines of each block of neighbours in the list, which on a mesh are neighbours in space.
-void FastVisibility::Work::box_blocks() {
-  const std::size_t count = outlines_.list.size();
-  blocks_.assign(count / block_size + 1, {});
-  for (std::size_t i = 1; i < count; ++i) blocks_[i / block_size].include(outlines_.list[i].box);
-}
-
-/// Replaces the neighbours by the blockers' outlines whose boxes meet the outline's box.
-void FastVisibility::Work::find_neighbours(std::uint32_t outline) {
-  const auto count = static_cast<std::uint32_t>(outlines_.list.size());
-  neighbours_.clear();
-  const FlatBox box = outlines_.list[outline].box;
-  for (std::uint32_t block = 0; block < blocks_.size(); ++block) {
-    if (!box.meets(blocks_[block])) continue;
-    const std::uint32_t end = std::min(count, (block + 1) * block_size);
-    for (std::uint32_t i = std::max(1U, block * block_size); i < end; ++i) {
-      if (i != outline && box.meets(outlines_.list[i].box)) neighbours_.push_back(i);
-    }
-  }
-}
-
 /// Where edges of two blockers run along each other, with both blockers on one side, the first blocker's counts; with
 /// the blockers on two sides neither does. A light's edge is covered by what lies on its inner side.
 void FastVisibility::Work::append_visible(BoundaryWalk& walk, const Piece& piece) {
@@ -218,7 +199,7 @@ void FastVisibility::Work::append_visible(BoundaryWalk& walk, const Piece& piece
   FlatBox box = outlines_.flats[edge.start].box();
   box.include(outlines_.flats[edge.end].box());
   for (const std::uint32_t other : neighbours_) {
-    if (!box.meets(outlines_.list[other].box)) continue;
+    if (other == edge.outline || !box.meets(outlines_.list[other].box)) continue;
     const Alongside alongside = edge.of_light()        ? Alongside::same_side
                                 : other < edge.outline ? Alongside::either_side
                                                        : Alongside::other_side;
@@ -242,13 +223,13 @@ void FastVisibility::Work::walk(const Point3& apex) {
   for (std::uint32_t i = 1; i < count; ++i) outline_of_[outlines_.list[i].element] = i;
   for (std::uint32_t i = 1; i < count; ++i) append_stretches_inside(walk, i);
   for (std::uint32_t i = 1; i < count; ++i) outline_of_[outlines_.list[i].element] = 0;
-  box_blocks();
-  find_neighbours(0);
+  grid_.build(outlines_.list);
+  grid_.find(outlines_.list.front().box, neighbours_);
   const std::uint32_t light_edges = outlines_.list.front().count;
   for (std::uint32_t k = 0; k < light_edges; ++k) append_visible(walk, {edge_of(outlines_, 0, k), whole_edge});
   std::uint32_t last = 0;
   for (const Piece& piece : inside_) {
-    if (piece.edge.outline != last) find_neighbours(piece.edge.outline);
+    if (piece.edge.outline != last) grid_.find(outlines_.list[piece.edge.outline].box, neighbours_);
     last = piece.edge.outline;
     append_visible(walk, piece);
   }

@@ -3,25 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/boxes.h"
+
 namespace gnomon {
 namespace {
 
 /// The widest bound of a fraction that is handed on.
 constexpr double widest_bound = 1e-6;
-
-Box3 box_around(const ClosedSurface& surface) {
-  Box3 box{surface.vertices.front(), surface.vertices.front()};
-  for (const Point3& p : surface.vertices) {
-    box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};
-    box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
-  }
-  return box;
-}
-
-bool is_within(const Box3& box, const Point3& p) {
-  return box.min.x <= p.x && p.x <= box.max.x && box.min.y <= p.y && p.y <= box.max.y && box.min.z <= p.z &&
-         p.z <= box.max.z;
-}
 
 std::optional<Region> seen(FastPointVisibility& level, const Point3& p) {
   return level.region_from(p);
@@ -68,12 +56,12 @@ Visibility exact_answer(const Light& light, const Obstacles& obstacles, const Re
 PreparedObstacles::PreparedObstacles(Obstacles obstacles)
     : obstacles_(std::make_shared<const Obstacles>(std::move(obstacles))), blockers_(obstacles_->blockers) {
   for (const ClosedSurface& surface : obstacles_->enclosures) {
-    if (!surface.vertices.empty()) enclosures_.push_back(box_around(surface));
+    if (!surface.vertices.empty()) enclosures_.push_back(box_around(surface.vertices));
   }
 }
 
 bool PreparedObstacles::may_enclose(const Point3& p) const {
-  return std::any_of(enclosures_.begin(), enclosures_.end(), [&](const Box3& box) { return is_within(box, p); });
+  return std::any_of(enclosures_.begin(), enclosures_.end(), [&](const Box3& box) { return holds(box, p); });
 }
 
 FastLevel fast_level(const Light& light, const BlockerSet& blockers) {

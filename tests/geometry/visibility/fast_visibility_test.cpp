@@ -107,6 +107,33 @@ Point3 draw_aligned_point(Dice& dice, const Drawn& scene) {
   return {b.x + t * (b.x - l.x), b.y + t * (b.y - l.y), b.z + t * (b.z - l.z)};
 }
 
+/// The eight triangles between six drawn points, two of them poles, run one way round: a surface without boundary that
+/// may pass through itself and be inside out.
+std::optional<std::vector<ConvexBlocker>> draw_closed_surface(Dice& dice, int high) {
+  std::vector<Point3> points;
+  for (int i = 0; i < 6; ++i) points.push_back(draw_point(dice, 3, 1, high));
+  std::vector<ConvexBlocker> facets;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Point3 &a = points[i], &b = points[(i + 1) % 4];
+    const auto upper = polygon_of({a, b, points[4]});
+    const auto lower = polygon_of({b, a, points[5]});
+    if (!upper || !lower) return std::nullopt;
+    facets.insert(facets.end(), {*upper, *lower});
+  }
+  return facets;
+}
+
+/// Closed surfaces that may meet each other and the light, and now and then a triangle beside them.
+std::vector<ConvexBlocker> draw_closed_surfaces(Dice& dice, int high) {
+  std::vector<ConvexBlocker> blockers;
+  for (int i = dice.draw(1, 3); i > 0; --i) {
+    const auto surface = drawn_until([&] { return draw_closed_surface(dice, high); });
+    blockers.insert(blockers.end(), surface.begin(), surface.end());
+  }
+  if (dice.once_in(3)) blockers.push_back(drawn_until([&] { return draw_polygon(dice, 3, 1, high); }));
+  return blockers;
+}
+
 /// The fast level decides and agrees, or it may leave the question open: true if it decided.
 bool agrees(const Drawn& scene, const Point3& p, FastVisibility& fast) {
   const std::optional<LightSeen> seen = fast.seen_from(p);
@@ -121,12 +148,13 @@ bool agrees(const Drawn& scene, const Point3& p, FastVisibility& fast) {
 /// How a point is drawn.
 enum class Where { anywhere, aligned };
 
-void check_agreement(int count, int high, Where where) {
+template <class DrawBlockers>
+void check_agreement_behind(const DrawBlockers& draw_some, int high, Where where) {
   int decided = 0;
   int asked = 0;
   const bool holds = rc::check("agreement", [&] {
     Dice dice;
-    const Drawn scene{draw_light(dice), draw_blockers(dice, count, high)};
+    const Drawn scene{draw_light(dice), draw_some(dice, high)};
     FastVisibility fast(scene.light, BlockerSet(scene.blockers));
     for (int i = 0; i < 50; ++i) {
       const Point3 p = where == Where::aligned ? draw_aligned_point(dice, scene) : draw_point(dice, 4, -2, 1);
@@ -139,6 +167,37 @@ void check_agreement(int count, int high, Where where) {
   EXPECT_GE(decided, asked * (high < 7 ? 6 : 1) / 10) << "of " << asked;
 }
 
+void check_agreement(int count, int high, Where where) {
+  check_agreement_behind([&](Dice& dice, int reach) { return draw_blockers(dice, count, reach); }, high, where);
+}
+
+/// All its facets have the light behind them, and it winds around the light.
+TEST(FastVisibilityDegenerate, AClosedSurfaceAroundTheLightHidesItFromOutside) {
+  const AreaLight light{ConvexPolygon::from_points({{-1, -1, 8}, {-1, 1, 8}, {1, 1, 8}, {1, -1, 8}}), true};
+  const std::array<Point3, 4> equator{{{6, 0, 8}, {0, 6, 8}, {-6, 0, 8}, {0, -6, 8}}};
+  std::vector<ConvexBlocker> shell;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Point3 &a = equator[i], &b = equator[(i + 1) % 4];
+    shell.push_back(ConvexPolygon::from_points({a, b, {0, 0, 14}}));
+    shell.push_back(ConvexPolygon::from_points({b, a, {0, 0, 2}}));
+  }
+  FastVisibility fast(light, BlockerSet(shell));
+  for (const Point3& p : {Point3{0, 0, 0}, Point3{1, 2, -3}, Point3{5, 5, 1}}) {
+    const std::optional<LightSeen> seen = fast.seen_from(p);
+    ASSERT_TRUE(seen);
+    EXPECT_EQ(seen->region, Region::umbra);
+  }
+}
+
+TEST(FastVisibilityAgreement, ClosedSurfacesMatchSplitting) {
+  check_agreement_behind(draw_closed_surfaces, 6, Where::anywhere);
+}
+TEST(FastVisibilityAgreement, ClosedSurfacesMatchSplittingWhereVerticesAlign) {
+  check_agreement_behind(draw_closed_surfaces, 6, Where::aligned);
+}
+TEST(FastVisibilityAgreement, ClosedSurfacesThatHoldLightMatchSplittingOrAreLeftOpen) {
+  check_agreement_behind(draw_closed_surfaces, 9, Where::anywhere);
+}
 TEST(FastVisibilityAgreement, OneBlockerMatchesSplitting) {
   check_agreement(1, 6, Where::anywhere);
 }
