@@ -2,6 +2,7 @@
 
 #include <embree3/rtcore.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -95,14 +96,19 @@ struct EmbreeSight::Work {
   void build(const std::vector<Point3>& corners);
   void place_points();
   bool is_hidden(const Point3& p, const Point3& towards);
+  unsigned hidden_of_eight(const Point3& p, std::span<const Point3> ends);
+  template <class Visit>
+  void for_each_visible(const Point3& p, const Visit& visit);
 
   std::size_t bytes = 0;
   RTCDevice device = rtcNewDevice("threads=1");
   RTCScene scene = rtcNewScene(device);
   RTCIntersectContext context{};
+  RTCIntersectContext coherent{};  ///< for packets
   LightSquare square;
   bool two_sided;
   Placing placing = Placing::regular;
+  Rays rays = Rays::single;
   std::size_t k = 1;
   std::minstd_rand engine{1};
   std::vector<Point3> points;
@@ -111,6 +117,8 @@ struct EmbreeSight::Work {
 void EmbreeSight::Work::build(const std::vector<Point3>& corners) {
   rtcSetDeviceMemoryMonitorFunction(device, count_bytes, &bytes);
   rtcInitIntersectContext(&context);
+  rtcInitIntersectContext(&coherent);
+  coherent.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                                                3 * sizeof(float), corners.size()));
@@ -154,6 +162,47 @@ bool EmbreeSight::Work::is_hidden(const Point3& p, const Point3& towards) {
   return ray.tfar < 0;
 }
 
+/// At most eight rays from one point. Returns: bit i if the ray to end i is hidden.
+unsigned EmbreeSight::Work::hidden_of_eight(const Point3& p, std::span<const Point3> ends) {
+  alignas(32) RTCRay8 packet{};
+  alignas(32) int valid[8] = {};
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const Point3 towards = difference(ends[i], p);
+    valid[i] = -1;
+    packet.org_x[i] = static_cast<float>(p.x);
+    packet.org_y[i] = static_cast<float>(p.y);
+    packet.org_z[i] = static_cast<float>(p.z);
+    packet.dir_x[i] = static_cast<float>(towards.x);
+    packet.dir_y[i] = static_cast<float>(towards.y);
+    packet.dir_z[i] = static_cast<float>(towards.z);
+    packet.tfar[i] = 1;
+    packet.mask[i] = 0xFFFFFFFF;
+  }
+  rtcOccluded8(valid, scene, &coherent, &packet);
+  unsigned hidden = 0;
+  for (std::size_t i = 0; i < ends.size(); ++i) hidden |= packet.tfar[i] < 0 ? 1U << i : 0U;
+  return hidden;
+}
+
+/// Calls with the way to every point of the light that is not hidden.
+template <class Visit>
+void EmbreeSight::Work::for_each_visible(const Point3& p, const Visit& visit) {
+  if (rays == Rays::single) {
+    for (const Point3& l : points) {
+      const Point3 towards = difference(l, p);
+      if (!is_hidden(p, towards)) visit(towards);
+    }
+    return;
+  }
+  for (std::size_t first = 0; first < points.size(); first += 8) {
+    const auto ends = std::span<const Point3>(points).subspan(first, std::min<std::size_t>(8, points.size() - first));
+    const unsigned hidden = hidden_of_eight(p, ends);
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      if ((hidden >> i & 1U) == 0) visit(difference(ends[i], p));
+    }
+  }
+}
+
 EmbreeSight::EmbreeSight(const AreaLight& light, std::span<const ConvexBlocker> blockers)
     : work_(std::make_unique<Work>(light)) {
   work_->build(triangles(blockers));
@@ -164,8 +213,9 @@ EmbreeSight::EmbreeSight(EmbreeSight&&) noexcept = default;
 EmbreeSight& EmbreeSight::operator=(EmbreeSight&&) noexcept = default;
 EmbreeSight::~EmbreeSight() = default;
 
-void EmbreeSight::place(Placing placing, std::size_t k) {
+void EmbreeSight::place(Placing placing, std::size_t k, Rays rays) {
   work_->placing = placing;
+  work_->rays = rays;
   work_->k = k;
   work_->engine.seed(1);
   work_->place_points();
@@ -178,13 +228,11 @@ SightAnswer EmbreeSight::seen_from(const Point3& p, const Point3& normal) {
   if (side == 0 || (side < 0 && !work_->two_sided)) return {Region::unlit, 0, 0};
   std::size_t visible = 0;
   double sum = 0;
-  for (const Point3& l : work_->points) {
-    const Point3 towards = difference(l, p);
-    if (work_->is_hidden(p, towards)) continue;
+  work_->for_each_visible(p, [&](const Point3& towards) {
     ++visible;
     const double squared = dot(towards, towards);
     sum += dot(towards, normal) * std::fabs(dot(towards, square.normal())) / (squared * squared);
-  }
+  });
   const auto count = static_cast<double>(work_->points.size());
   const Region region = visible == 0 ? Region::umbra : visible == work_->points.size() ? Region::lit : Region::penumbra;
   return {region, static_cast<double>(visible) / count, sum * square.area() / count / length(normal)};

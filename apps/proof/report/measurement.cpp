@@ -9,6 +9,7 @@ void Errors::add(double error, double truth) {
   ++results;
   rms += error * error;
   mean += truth;
+  largest = std::max(largest, truth);
   if (truth != 0) {
     ++positive_;
     relative_rms += error * error / (truth * truth);

@@ -17,6 +17,7 @@ struct Errors {
   double relative_rms = 0;  ///< of the errors over the true values, where these are not 0
   double most = 0;
   double mean = 0;                ///< of the true values
+  double largest = 0;             ///< true value
   std::optional<double> bound;    ///< the largest that was claimed; nothing if none was
   std::size_t outside_bound = 0;  ///< results that are farther off than they claim
   std::size_t wrong_regions = 0;

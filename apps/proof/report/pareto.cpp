@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/proof/report/selection.h"
+
 namespace gnomon::report {
 namespace {
 
@@ -39,7 +41,7 @@ std::vector<Equivalent> equivalents(std::span<const Measurement> measurements) {
   std::vector<Equivalent> all;
   for (const Measurement& gnomon : measurements) {
     if (gnomon.method != "gnomon") continue;
-    for (const char* method : {"embree_regular", "embree_jittered", "embree_stratified"}) {
+    for (const char* method : sampling_methods) {
       const std::vector<Measurement> sampled = of_method(measurements, gnomon, method);
       if (sampled.size() < 2) continue;
       std::size_t k = 1;
@@ -55,17 +57,17 @@ std::vector<Equivalent> equivalents(std::span<const Measurement> measurements) {
   return all;
 }
 
-std::optional<double> seconds_for_relative_error(std::span<const Measurement> measurements, const std::string& task,
-                                                 const std::string& method, std::size_t size, double relative) {
-  Measurement like;
-  like.task = task;
-  like.size = size;
-  const std::vector<Measurement> sampled = of_method(measurements, like, method);
+std::optional<double> seconds_for_error(std::span<const Measurement> measurements, const Measurement& like,
+                                        ErrorScale scale, double wanted) {
+  const std::vector<Measurement> sampled = of_method(measurements, like, like.method);
   if (sampled.size() < 2) return std::nullopt;
-  const auto error = [&](std::size_t k) { return sampled[k].errors.relative_rms; };
+  const auto error = [&](std::size_t k) {
+    const Errors& e = sampled[k].errors;
+    return scale == ErrorScale::own_value ? e.relative_rms : e.rms / e.largest;
+  };
   std::size_t k = 1;
-  while (k + 1 < sampled.size() && error(k) > relative) ++k;
-  const double share = std::log(relative / error(k - 1)) / std::log(error(k) / error(k - 1));
+  while (k + 1 < sampled.size() && error(k) > wanted) ++k;
+  const double share = std::log(wanted / error(k - 1)) / std::log(error(k) / error(k - 1));
   return interpolated(sampled[k - 1].seconds.median, sampled[k].seconds.median, share);
 }
 

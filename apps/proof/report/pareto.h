@@ -27,9 +27,13 @@ struct Equivalent {
 /// After: [P93] Table I.
 std::vector<Equivalent> equivalents(std::span<const Measurement> measurements);
 
-/// The time that a sampling method takes for relative errors of that root mean square, from those measured, on
-/// logarithmic scales. Nothing if it was not measured twice.
-std::optional<double> seconds_for_relative_error(std::span<const Measurement> measurements, const std::string& task,
-                                                 const std::string& method, std::size_t size, double relative);
+/// What errors are shares of: of each result's own true value, which the faintest results decide, or of the largest
+/// true value, which an image or a study of lighting asks for.
+enum class ErrorScale { own_value, largest_value };
+
+/// The time that a sampling method takes for such errors, in the root mean square, from those measured, on logarithmic
+/// scales; `like` tells task, method and size. Nothing if it was not measured twice.
+std::optional<double> seconds_for_error(std::span<const Measurement> measurements, const Measurement& like,
+                                        ErrorScale scale, double wanted);
 
 }  // namespace gnomon::report

@@ -20,12 +20,13 @@ Row joined(Row row, const Row& more) {
 
 std::string speed_against_error(const std::vector<Measurement>& measurements) {
   std::vector<Row> rows = {{"task", "method", "size", "samples", "ns", "ns_least", "ns_most", "results", "rms",
-                            "relative_rms", "max", "bound", "outside_bound", "wrong_regions", "bytes"}};
+                            "relative_rms", "max", "largest", "bound", "outside_bound", "wrong_regions", "bytes"}};
   for (const Measurement& m : measurements) {
     const Row head = joined({m.task, m.method, text(m.size), text(m.samples)}, times(m.seconds));
-    rows.push_back(joined(head, {text(m.errors.results), full_text(m.errors.rms), full_text(m.errors.relative_rms),
-                                 full_text(m.errors.most), m.errors.bound ? full_text(*m.errors.bound) : "",
-                                 text(m.errors.outside_bound), text(m.errors.wrong_regions), text(m.bytes)}));
+    rows.push_back(joined(
+        head, {text(m.errors.results), full_text(m.errors.rms), full_text(m.errors.relative_rms),
+               full_text(m.errors.most), full_text(m.errors.largest), m.errors.bound ? full_text(*m.errors.bound) : "",
+               text(m.errors.outside_bound), text(m.errors.wrong_regions), text(m.bytes)}));
   }
   return csv(rows);
 }

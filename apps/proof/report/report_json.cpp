@@ -29,6 +29,7 @@ ordered_json entry(const Measurement& m) {
   result["relative_rms"] = m.errors.relative_rms;
   result["max"] = m.errors.most;
   result["mean"] = m.errors.mean;
+  result["largest"] = m.errors.largest;
   if (m.errors.bound) {
     result["bound"] = *m.errors.bound;
     result["outside_bound"] = m.errors.outside_bound;

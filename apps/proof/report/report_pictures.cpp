@@ -72,7 +72,7 @@ TextFile equivalents_plot(const Report& report) {
             {},
             {}};
   const std::vector<Equivalent> all = equivalents(report.measurements);
-  for (const char* method : {"embree_regular", "embree_jittered", "embree_stratified"}) {
+  for (const char* method : sampling_methods) {
     Series series{title_of(method), {}, Series::Line::solid, true, ""};
     for (const Equivalent& e : all) {
       if (e.task == "irradiance" && e.method == method) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -28,6 +29,10 @@ inline std::vector<std::string> methods_of(const std::vector<Measurement>& all) 
   return names;
 }
 
+/// The methods that look at points on the light.
+inline constexpr std::array sampling_methods = {"embree_regular", "embree_jittered", "embree_stratified",
+                                                "embree_packets"};
+
 /// What a method is called in plots and tables.
 inline std::string title_of(const std::string& method) {
   static const std::map<std::string, std::string> titles = {{"exact", "gnomon, exact level"},
@@ -37,6 +42,7 @@ inline std::string title_of(const std::string& method) {
                                                             {"embree_regular", "Embree, regular point lights"},
                                                             {"embree_jittered", "Embree, jittered point lights"},
                                                             {"embree_stratified", "Embree, stratified samples"},
+                                                            {"embree_packets", "Embree, the same in packets of eight"},
                                                             {"convex_hull_3", "CGAL convex_hull_3"},
                                                             {"nef_3", "CGAL Nef_polyhedron_3"},
                                                             {"exact_mesh", "gnomon, receiver mesh"},

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <memory>
+#include <tuple>
 #include <utility>
 
 #include "apps/proof/report/embree_sight.h"
@@ -118,9 +119,9 @@ Ask polygon_set(const Looked& looked, Quantity quantity) {
   };
 }
 
-Ask embree(const Looked& looked, Quantity quantity, Placing placing, std::size_t k) {
+Ask embree(const Looked& looked, Quantity quantity, Placing placing, std::size_t k, Rays rays) {
   const auto sight = std::make_shared<EmbreeSight>(looked.scene.light, looked.scene.blockers);
-  sight->place(placing, k);
+  sight->place(placing, k, rays);
   return [sight, quantity](const Point3& p) { return value_of(sight->seen_from(p, up), quantity); };
 }
 
@@ -133,12 +134,15 @@ std::vector<Method> methods(Quantity quantity, const Counts& count) {
                              {"gnomon", 0, count.points, regions, with(certified_level)},
                              {"plain_doubles", 0, count.points, true, with(plain_doubles)},
                              {"polygon_set_2", 0, count.slow_points, true, with(polygon_set)}};
-  const std::pair<std::string, Placing> placings[] = {{"embree_regular", Placing::regular},
-                                                      {"embree_jittered", Placing::jittered},
-                                                      {"embree_stratified", Placing::stratified}};
-  for (const auto& [name, placing] : placings) {
+  const std::tuple<std::string, Placing, Rays> samplings[] = {{"embree_regular", Placing::regular, Rays::single},
+                                                              {"embree_jittered", Placing::jittered, Rays::single},
+                                                              {"embree_stratified", Placing::stratified, Rays::single},
+                                                              {"embree_packets", Placing::stratified, Rays::packets}};
+  for (const auto& [name, placing, rays] : samplings) {
     for (std::size_t k = 2; k <= count.cells; k *= 2) {
-      const auto prepare = [=, placed = placing](const Looked& looked) { return embree(looked, quantity, placed, k); };
+      const auto prepare = [=, placed = placing, handed = rays](const Looked& looked) {
+        return embree(looked, quantity, placed, k, handed);
+      };
       all.push_back({name, k * k, count.points, true, prepare});
     }
   }

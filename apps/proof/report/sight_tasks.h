@@ -20,7 +20,7 @@ enum class Effort { quick, full };
 /// Visible fraction and irradiance at points below a square light, behind n random triangles: one task per n.
 ///
 /// Measurements of the tasks "visible_fraction" and "irradiance" by the methods exact, gnomon, plain_doubles,
-/// embree_regular, embree_jittered, embree_stratified and polygon_set_2.
+/// embree_regular, embree_jittered, embree_stratified, embree_packets and polygon_set_2.
 std::vector<Task> sight_tasks(Effort effort);
 
 }  // namespace gnomon::report

@@ -122,7 +122,7 @@ TEST_F(ReportCommand, QuickReportClaimsNothingWrongAndAgreesWithTheNext) {
   for (const char* task : {"visible_fraction", "irradiance"}) {
     EXPECT_THAT(methods_of_task(measurements, task),
                 IsSupersetOf({"exact", "gnomon", "plain_doubles", "polygon_set_2", "embree_regular", "embree_jittered",
-                              "embree_stratified"}));
+                              "embree_stratified", "embree_packets"}));
   }
   EXPECT_THAT(methods_of_task(measurements, "occlusion_volume"), IsSupersetOf({"gnomon", "convex_hull_3"}));
   EXPECT_THAT(methods_of_task(measurements, "umbra_volume"), IsSupersetOf({"gnomon", "nef_3"}));
