@@ -1,7 +1,7 @@
 // Names the extremal planes of a triangular light above a square blocker. Nothing is constructed: a plane is an edge
 // and a vertex of the input, and a contact.
 
-#include "geometry/spatial/extremal_planes.h"
+#include <gnomon/pair.h>
 
 #include <cstdio>
 

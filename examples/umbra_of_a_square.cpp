@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "geometry/spatial/volume_mesh.h"
+#include <gnomon/shadow_mesh.h>
 
 int main() {
   using namespace gnomon;

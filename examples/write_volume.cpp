@@ -5,8 +5,8 @@
 #include <exception>
 #include <variant>
 
-#include "geometry/scene/scene_reader.h"
-#include "viz/shadow_writer.h"
+#include <gnomon/scene.h>
+#include <gnomon/writer.h>
 
 namespace {
 

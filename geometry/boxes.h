@@ -5,7 +5,7 @@
 #include <limits>
 #include <span>
 
-#include "geometry/point.h"
+#include "gnomon/point.h"
 
 namespace gnomon {
 

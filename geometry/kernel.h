@@ -7,7 +7,7 @@
 #include <CGAL/Mpzf.h>
 #include <CGAL/boost_mp.h>
 
-#include "geometry/point.h"
+#include "gnomon/point.h"
 
 namespace gnomon {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "geometry/exact_number.h"
 #include "geometry/kernel.h"
+#include "gnomon/point.h"
 
 namespace gnomon {
 

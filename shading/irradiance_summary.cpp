@@ -1,10 +1,10 @@
-#include "shading/irradiance_summary.h"
+#include "gnomon/irradiance.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "geometry/errors.h"
+#include "gnomon/errors.h"
 
 namespace gnomon {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "geometry/errors.h"
+#include "gnomon/errors.h"
 #include "shading/arc_factor.h"
 #include "shading/vector.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "geometry/visibility/fast_visibility.h"
-#include "shading/irradiance.h"
+#include "gnomon/irradiance.h"
 
 namespace gnomon {
 

@@ -1,12 +1,13 @@
-#include "shading/light_irradiance.h"
+#include "gnomon/irradiance.h"
 
 #include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
 
-#include "geometry/errors.h"
 #include "geometry/visibility/exact_visible_part.h"
+#include "geometry/visibility/prepared_obstacles.h"
+#include "gnomon/errors.h"
 #include "shading/exact_direction.h"
 #include "shading/lambert.h"
 #include "shading/small_lights.h"
@@ -111,20 +112,37 @@ Irradiance scaled(const Irradiance& e, double strength) {
 
 }  // namespace
 
-LightIrradiance::LightIrradiance(Light light, double strength, PreparedObstacles obstacles)
-    : light_(std::move(light)),
-      strength_(strength),
-      obstacles_(std::move(obstacles)),
-      fast_(fast_level(light_, obstacles_.blockers())) {}
+class LightIrradiance::Work {
+ public:
+  Work(Light light, double strength, PreparedObstacles obstacles)
+      : light_(std::move(light)),
+        strength_(strength),
+        obstacles_(std::move(obstacles)),
+        fast_(fast_level(light_, obstacles_.content().blockers)) {}
 
-std::optional<Irradiance> LightIrradiance::fast_answer(const ReceiverPoint& receiver, const Point3& normal) {
-  if (obstacles_.encloses(receiver)) return Irradiance{};
+  Irradiance answer(const ReceiverPoint& receiver, const Point3& normal) {
+    const std::optional<Irradiance> fast = fast_answer(receiver, normal);
+    return scaled(fast ? *fast : exact_answer(receiver, normal), strength_);
+  }
+
+ private:
+  std::optional<Irradiance> fast_answer(const ReceiverPoint& receiver, const Point3& normal);
+  Irradiance exact_answer(const ReceiverPoint& receiver, const Point3& normal) const;
+
+  Light light_;
+  double strength_;
+  PreparedObstacles obstacles_;
+  FastLevel fast_;
+};
+
+std::optional<Irradiance> LightIrradiance::Work::fast_answer(const ReceiverPoint& receiver, const Point3& normal) {
+  if (obstacles_.content().encloses(receiver)) return Irradiance{};
   const std::optional<Irradiance> e = std::visit(Received{light_, receiver, normal}, fast_);
   if (!e || !(e->error_bound >= 0 && e->error_bound <= widest_bound)) return std::nullopt;
   return e;
 }
 
-Irradiance LightIrradiance::exact_answer(const ReceiverPoint& receiver, const Point3& normal) const {
+Irradiance LightIrradiance::Work::exact_answer(const ReceiverPoint& receiver, const Point3& normal) const {
   const Point3& p = receiver.point;
   const VisiblePart part = exact_visible_part(light_, obstacles_.obstacles(), receiver);
   if (!receives(part.region)) return {};
@@ -141,14 +159,24 @@ Irradiance LightIrradiance::exact_answer(const ReceiverPoint& receiver, const Po
   return positive(sum);
 }
 
+LightIrradiance::LightIrradiance(Light light, double strength, PreparedObstacles obstacles)
+    : work_(std::make_unique<Work>(std::move(light), strength, std::move(obstacles))) {}
+LightIrradiance::LightIrradiance(LightIrradiance&&) noexcept = default;
+LightIrradiance& LightIrradiance::operator=(LightIrradiance&&) noexcept = default;
+LightIrradiance::~LightIrradiance() = default;
+
 Irradiance LightIrradiance::received(const ReceiverPoint& receiver, const Point3& normal) {
   if (normal == Point3{}) throw PreconditionError("the receiver's normal has no direction");
-  const std::optional<Irradiance> fast = fast_answer(receiver, normal);
-  return scaled(fast ? *fast : exact_answer(receiver, normal), strength_);
+  return work_->answer(receiver, normal);
 }
 
 Irradiance LightIrradiance::at(const Point3& p, const Point3& normal) {
   return received({p, FacingNormal{normal}}, normal);
+}
+
+Irradiance light_irradiance(const Light& light, double strength, const Obstacles& obstacles, const Point3& p,
+                            const Point3& normal) {
+  return LightIrradiance(light, strength, PreparedObstacles(obstacles)).at(p, normal);
 }
 
 }  // namespace gnomon

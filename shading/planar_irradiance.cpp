@@ -1,12 +1,12 @@
-#include "shading/planar_irradiance.h"
+#include "gnomon/flatland_receiver.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "geometry/errors.h"
 #include "geometry/kernel.h"
 #include "geometry/planar/orientation.h"
+#include "gnomon/errors.h"
 
 namespace gnomon {
 namespace {

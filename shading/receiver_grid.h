@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/point.h"
-#include "geometry/spatial/convex_polygon.h"
+#include "gnomon/convex_polygon.h"
+#include "gnomon/point.h"
 
 namespace gnomon {
 

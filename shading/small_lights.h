@@ -6,9 +6,9 @@
 #include <span>
 
 #include "geometry/kernel.h"
-#include "geometry/spatial/light.h"
 #include "geometry/visibility/fast_linear_visibility.h"
-#include "shading/irradiance.h"
+#include "gnomon/irradiance.h"
+#include "gnomon/light.h"
 
 namespace gnomon {
 

@@ -1,4 +1,4 @@
-#include "shading/unit_conversion.h"
+#include "gnomon/irradiance.h"
 
 #include <cmath>
 #include <variant>

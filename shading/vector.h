@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/point.h"
 #include "geometry/visibility/fast_visibility.h"
+#include "gnomon/point.h"
 #include "shading/pair.h"
 
 namespace gnomon::shading {

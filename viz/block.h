@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "gnomon/result.h"
 #include "viz/field_data.h"
-#include "viz/shadow_result.h"
 
 namespace gnomon::viz {
 

@@ -16,9 +16,9 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "gnomon/errors.h"
 #include "viz/file_name.h"
 #include "viz/quiet_vtk.h"
-#include "viz/result_error.h"
 
 namespace gnomon::viz {
 namespace {

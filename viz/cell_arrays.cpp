@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-#include "geometry/errors.h"
+#include "gnomon/errors.h"
 
 namespace gnomon::viz {
 namespace {

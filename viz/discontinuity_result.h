@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "geometry/discontinuity/discontinuity_surface.h"
-#include "geometry/scene/scene.h"
-#include "viz/receiver_result.h"
+#include "gnomon/discontinuity.h"
+#include "gnomon/result.h"
+#include "gnomon/scene.h"
 
 namespace gnomon {
 

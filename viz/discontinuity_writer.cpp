@@ -1,6 +1,6 @@
 #include "viz/discontinuity_writer.h"
 
-#include "geometry/errors.h"
+#include "gnomon/errors.h"
 #include "viz/block_file.h"
 #include "viz/discontinuity_blocks.h"
 #include "viz/generation.h"

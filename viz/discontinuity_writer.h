@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "gnomon/writer.h"
 #include "viz/discontinuity_result.h"
-#include "viz/shadow_writer.h"
 
 namespace gnomon {
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <memory>
 
-#include "viz/picture.h"
+#include "gnomon/picture.h"
 
 namespace gnomon::viz {
 namespace {

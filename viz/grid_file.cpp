@@ -1,4 +1,4 @@
-#include "viz/grid_file.h"
+#include "gnomon/writer.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>

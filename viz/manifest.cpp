@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "geometry/spatial/position.h"
+#include "gnomon/pair.h"
 #include "viz/cell_arrays.h"
 #include "viz/palette.h"
 #include "viz/path_text.h"

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "gnomon/errors.h"
 #include "viz/block.h"
-#include "viz/result_error.h"
 
 namespace gnomon::viz {
 

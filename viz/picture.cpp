@@ -1,10 +1,10 @@
-#include "viz/picture.h"
+#include "gnomon/picture.h"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 
-#include "geometry/errors.h"
+#include "gnomon/errors.h"
 #include "viz/block.h"
 #include "viz/html_page.h"
 #include "viz/manifest.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "geometry/errors.h"
+#include "gnomon/errors.h"
 #include "viz/vector.h"
 
 namespace gnomon::viz {

@@ -2,8 +2,8 @@
 
 #include <variant>
 
+#include "gnomon/picture.h"
 #include "viz/drawing_size.h"
-#include "viz/picture.h"
 #include "viz/picture_scene.h"
 
 namespace gnomon::viz {

@@ -6,7 +6,7 @@
 
 #include <utility>
 
-#include "geometry/spatial/shadow_volume.h"
+#include "gnomon/shadow_volume.h"
 
 namespace gnomon::viz {
 namespace {

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/point.h"
+#include "gnomon/point.h"
 
 class vtkPolyData;
 

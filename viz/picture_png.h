@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "viz/picture.h"
+#include "gnomon/picture.h"
 #include "viz/picture_source.h"
 
 namespace gnomon::viz {

@@ -14,7 +14,7 @@
 #include <initializer_list>
 #include <map>
 
-#include "geometry/spatial/shadow_volume.h"
+#include "gnomon/shadow_volume.h"
 #include "viz/vector.h"
 
 namespace gnomon::viz {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "viz/picture.h"
+#include "gnomon/picture.h"
 #include "viz/picture_source.h"
 
 namespace gnomon::viz {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/point.h"
-#include "viz/shadow_result.h"
+#include "gnomon/point.h"
+#include "gnomon/result.h"
 
 namespace gnomon::viz {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "geometry/spatial/shadow_volume.h"
+#include "gnomon/shadow_volume.h"
 #include "viz/label_layout.h"
 #include "viz/palette.h"
 #include "viz/vector.h"

@@ -4,9 +4,9 @@
 #include <variant>
 #include <vector>
 
+#include "gnomon/picture.h"
 #include "viz/drawing_size.h"
 #include "viz/palette.h"
-#include "viz/picture.h"
 #include "viz/picture_legend.h"
 #include "viz/planar_lines.h"
 

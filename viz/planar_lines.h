@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/spatial/shadow_volume.h"
+#include "gnomon/shadow_volume.h"
 #include "viz/picture_geometry.h"
 #include "viz/picture_source.h"
 

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "geometry/region.h"
-#include "geometry/spatial/shadow_volume.h"
+#include "gnomon/names.h"
+#include "gnomon/shadow_volume.h"
 #include "viz/block.h"
 #include "viz/cell_arrays.h"
 #include "viz/vtk_cells.h"

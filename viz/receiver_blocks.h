@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "gnomon/result.h"
 #include "viz/block.h"
-#include "viz/receiver_result.h"
 
 namespace gnomon::viz {
 

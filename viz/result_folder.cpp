@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "gnomon/writer.h"
 #include "viz/folder_lock.h"
 #include "viz/own_files.h"
-#include "viz/shadow_writer.h"
 #include "viz/stale_files.h"
 
 namespace gnomon {

@@ -13,9 +13,10 @@
 #include <variant>
 
 #include "geometry/kernel.h"
-#include "geometry/scene/convex_parts.h"
+#include "geometry/scene/convex_partition.h"
 #include "geometry/scene/receiver_facets.h"
 #include "geometry/scene/scene_points.h"
+#include "gnomon/scene.h"
 #include "viz/block.h"
 #include "viz/cell_arrays.h"
 #include "viz/vector.h"

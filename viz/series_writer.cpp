@@ -1,11 +1,11 @@
-#include "viz/series_writer.h"
+#include "gnomon/writer.h"
 
 #include <charconv>
 #include <map>
 #include <string>
 #include <utility>
 
-#include "geometry/errors.h"
+#include "gnomon/errors.h"
 #include "viz/block.h"
 #include "viz/block_file.h"
 #include "viz/generation.h"

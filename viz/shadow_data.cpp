@@ -6,7 +6,7 @@
 
 #include <numeric>
 
-#include "geometry/region.h"
+#include "gnomon/names.h"
 #include "viz/vtk_cells.h"
 
 namespace gnomon::viz {
@@ -15,8 +15,8 @@ namespace {
 CellName with_facet(CellName cell, const FacetName& facet, std::size_t facet_id) {
   cell.facet_id = static_cast<std::int32_t>(facet_id);
   cell.facet_kind = static_cast<std::uint8_t>(facet.kind);
-  cell.edge_index = facet.edge_index;
-  cell.vertex_index = facet.vertex_index;
+  if (facet.edge_index) cell.edge_index = static_cast<std::int32_t>(*facet.edge_index);
+  if (facet.vertex_index) cell.vertex_index = static_cast<std::int32_t>(*facet.vertex_index);
   return cell;
 }
 

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "gnomon/result.h"
 #include "viz/cell_arrays.h"
-#include "viz/shadow_result.h"
 
 namespace gnomon::viz {
 

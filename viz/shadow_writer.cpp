@@ -1,11 +1,11 @@
-#include "viz/shadow_writer.h"
+#include "gnomon/writer.h"
 
 #include <vtkPolyData.h>
 
 #include <algorithm>
 #include <array>
 
-#include "geometry/errors.h"
+#include "gnomon/errors.h"
 #include "viz/block.h"
 #include "viz/block_file.h"
 #include "viz/generation.h"

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/point.h"
+#include "gnomon/point.h"
 
 namespace gnomon::viz {
 

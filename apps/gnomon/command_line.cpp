@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "apps/gnomon/text.h"
-#include "geometry/scene/scene_reader.h"
+#include "gnomon/scene.h"
 
 namespace gnomon {
 namespace {

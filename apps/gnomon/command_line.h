@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "apps/gnomon/commands.h"
-#include "geometry/point.h"
-#include "geometry/scene/scene.h"
+#include "gnomon/point.h"
+#include "gnomon/scene.h"
 
 namespace CLI {
 class App;

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "apps/gnomon/scene_pairs.h"
-#include "viz/shadow_result.h"
+#include "gnomon/result.h"
 
 namespace gnomon {
 

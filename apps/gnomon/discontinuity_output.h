@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "viz/shadow_writer.h"
+#include "gnomon/writer.h"
 
 namespace gnomon {
 

@@ -11,7 +11,7 @@
 #include "apps/gnomon/output_file.h"
 #include "apps/gnomon/text.h"
 #include "geometry/scene/file_text.h"
-#include "geometry/scene/scene_reader.h"
+#include "gnomon/scene.h"
 
 namespace gnomon {
 namespace {

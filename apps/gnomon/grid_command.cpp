@@ -14,8 +14,8 @@
 #include "apps/gnomon/scene_input.h"
 #include "apps/gnomon/shadow_summary.h"
 #include "apps/gnomon/text.h"
-#include "geometry/scene/scene_reader.h"
-#include "viz/grid_file.h"
+#include "gnomon/scene.h"
+#include "gnomon/writer.h"
 
 namespace gnomon {
 namespace {

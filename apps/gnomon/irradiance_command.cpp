@@ -18,13 +18,11 @@
 #include "apps/gnomon/point_batches.h"
 #include "apps/gnomon/receiver_rows.h"
 #include "apps/gnomon/scene_input.h"
-#include "apps/gnomon/scene_obstacles.h"
 #include "apps/gnomon/text.h"
-#include "geometry/scene/scene_reader.h"
-#include "geometry/visibility/resting_point.h"
-#include "shading/light_irradiance.h"
+#include "gnomon/irradiance.h"
+#include "gnomon/scene.h"
+#include "gnomon/visibility.h"
 #include "shading/receiver_grid.h"
-#include "shading/unit_conversion.h"
 
 namespace gnomon {
 namespace {
@@ -178,7 +176,7 @@ ReceiverPoint lifted_point(const PreparedObstacles& obstacles, const PointRow& r
 }
 
 ExitCode at_points(const IrradianceOptions& options, const Scene& scene) {
-  const PreparedObstacles obstacles = scene_obstacles(scene);
+  const PreparedObstacles obstacles(obstacles_of(scene));
   const double lift = lift_of(options);
   return with_points(options.at, [&](std::istream& stream, const std::string& file) {
     PointTable table(stream, file, TableColumns::points_with_normals);
@@ -191,7 +189,7 @@ ExitCode at_points(const IrradianceOptions& options, const Scene& scene) {
 
 ExitCode on_receiver(const IrradianceOptions& options, const Scene& scene) {
   require_receiver("--on", options.on, scene.receivers);
-  const PreparedObstacles obstacles = scene_obstacles(scene);
+  const PreparedObstacles obstacles(obstacles_of(scene));
   std::optional<std::array<std::uint32_t, 2>> shape;
   if (!options.shape.empty()) shape = whole_numbers<2>("--shape", options.shape, "nu,nv");
   ReceiverRows rows(scene, options.on, shape);

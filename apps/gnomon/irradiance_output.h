@@ -6,9 +6,8 @@
 #include <vector>
 
 #include "apps/gnomon/point_batches.h"
-#include "geometry/scene/scene.h"
-#include "shading/irradiance.h"
-#include "shading/irradiance_summary.h"
+#include "gnomon/irradiance.h"
+#include "gnomon/scene.h"
 
 namespace gnomon {
 

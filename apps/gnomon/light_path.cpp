@@ -7,7 +7,7 @@
 
 #include "apps/gnomon/commands.h"
 #include "apps/gnomon/point_table.h"
-#include "geometry/scene/scene_reader.h"
+#include "gnomon/scene.h"
 
 namespace gnomon {
 namespace {

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "apps/gnomon/console.h"
-#include "geometry/spatial/merged_occlusion.h"
+#include "gnomon/shadow_mesh.h"
 
 namespace gnomon {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "apps/gnomon/computed_shadows.h"
 #include "apps/gnomon/scene_pairs.h"
-#include "viz/shadow_result.h"
+#include "gnomon/result.h"
 
 namespace gnomon {
 

@@ -7,7 +7,7 @@
 
 #include "apps/gnomon/commands.h"
 #include "apps/gnomon/console.h"
-#include "viz/shadow_writer.h"
+#include "gnomon/writer.h"
 
 namespace gnomon {
 namespace {

@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-#include "geometry/scene/scene_reader.h"
+#include "gnomon/scene.h"
 
 namespace gnomon {
 

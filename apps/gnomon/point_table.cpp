@@ -6,7 +6,7 @@
 
 #include "apps/gnomon/csv_row.h"
 #include "apps/gnomon/text.h"
-#include "geometry/scene/scene_reader.h"
+#include "gnomon/scene.h"
 
 namespace gnomon {
 namespace {

@@ -15,8 +15,8 @@
 #include "apps/gnomon/text.h"
 #include "apps/gnomon/untimely_end.h"
 #include "apps/keep_memory.h"
-#include "geometry/scene/scene_reader.h"
-#include "viz/result_error.h"
+#include "gnomon/errors.h"
+#include "gnomon/scene.h"
 
 namespace gnomon {
 namespace {

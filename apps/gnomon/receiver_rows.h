@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "apps/gnomon/point_batches.h"
-#include "geometry/scene/scene.h"
-#include "geometry/visibility/visibility.h"
+#include "gnomon/scene.h"
+#include "gnomon/visibility.h"
 #include "shading/receiver_grid.h"
 
 namespace gnomon {

@@ -16,7 +16,7 @@
 #include "apps/gnomon/scene_input.h"
 #include "apps/gnomon/shadow_json.h"
 #include "apps/gnomon/text.h"
-#include "geometry/scene/scene_reader.h"
+#include "gnomon/scene.h"
 #include "viz/discontinuity_writer.h"
 
 namespace gnomon {

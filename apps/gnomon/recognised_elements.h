@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/scene/scene.h"
+#include "gnomon/scene.h"
 
 namespace gnomon {
 

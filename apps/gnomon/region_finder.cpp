@@ -5,10 +5,8 @@
 #include <memory>
 
 #include "apps/gnomon/element_choice.h"
-#include "apps/gnomon/planar_sight.h"
-#include "apps/gnomon/scene_obstacles.h"
-#include "geometry/visibility/light_visibility.h"
-#include "geometry/visibility/resting_point.h"
+#include "gnomon/scene.h"
+#include "gnomon/visibility.h"
 
 namespace gnomon {
 namespace {
@@ -17,7 +15,7 @@ RegionFinder spatial_finder(const Scene& scene, const std::string& light) {
   const std::vector<const SceneLight*> lights = chosen_lights(scene.lights, light);
   RegionFinder finder;
   for (const SceneLight* l : lights) finder.lights.push_back(l->name);
-  const PreparedObstacles obstacles = scene_obstacles(scene);
+  const PreparedObstacles obstacles(obstacles_of(scene));
   const auto per_thread = std::make_shared<tbb::enumerable_thread_specific<std::vector<LightVisibility>>>([=] {
     std::vector<LightVisibility> result;
     for (const SceneLight* l : lights) result.emplace_back(l->shape, obstacles);

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/scene/scene.h"
-#include "geometry/visibility/visibility.h"
+#include "gnomon/scene.h"
+#include "gnomon/visibility.h"
 
 namespace gnomon {
 

@@ -15,7 +15,7 @@
 #include "apps/gnomon/regions_output.h"
 #include "apps/gnomon/scene_input.h"
 #include "apps/gnomon/text.h"
-#include "geometry/scene/scene_reader.h"
+#include "gnomon/scene.h"
 
 namespace gnomon {
 namespace {

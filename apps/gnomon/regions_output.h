@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "apps/gnomon/point_table.h"
-#include "geometry/scene/scene.h"
-#include "geometry/visibility/visibility.h"
+#include "gnomon/scene.h"
+#include "gnomon/visibility.h"
 
 namespace gnomon {
 

@@ -17,8 +17,8 @@
 #include "apps/gnomon/scene_pairs.h"
 #include "apps/gnomon/shadow_summary.h"
 #include "apps/gnomon/text.h"
-#include "geometry/scene/scene_reader.h"
-#include "viz/picture.h"
+#include "gnomon/picture.h"
+#include "gnomon/scene.h"
 
 namespace gnomon {
 namespace {

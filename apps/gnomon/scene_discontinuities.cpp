@@ -11,8 +11,9 @@
 #include "apps/gnomon/receiver_rows.h"
 #include "geometry/discontinuity/event_range.h"
 #include "geometry/parallel.h"
-#include "geometry/scene/convex_parts.h"
 #include "geometry/scene/scene_points.h"
+#include "geometry/spatial/closed_surface.h"
+#include "gnomon/scene.h"
 
 namespace gnomon {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "apps/gnomon/console.h"
 #include "apps/gnomon/text.h"
-#include "geometry/scene/scene_reader.h"
+#include "gnomon/scene.h"
 
 namespace gnomon {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "geometry/scene/scene.h"
+#include "gnomon/scene.h"
 
 namespace gnomon {
 

@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "apps/gnomon/element_choice.h"
-#include "geometry/scene/convex_parts.h"
+#include "gnomon/scene.h"
 
 namespace gnomon {
 namespace {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "geometry/planar/pair.h"
-#include "geometry/scene/scene.h"
-#include "geometry/spatial/convex_blocker.h"
-#include "geometry/spatial/position.h"
+#include "gnomon/blocker.h"
+#include "gnomon/flatland_pair.h"
+#include "gnomon/pair.h"
+#include "gnomon/scene.h"
 
 namespace gnomon {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <variant>
 
-#include "geometry/errors.h"
+#include "gnomon/errors.h"
 
 namespace gnomon {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "geometry/scene/scene.h"
+#include "gnomon/scene.h"
 
 namespace gnomon {
 

@@ -20,8 +20,8 @@
 #include "apps/gnomon/shadow_series.h"
 #include "apps/gnomon/shadow_summary.h"
 #include "apps/gnomon/text.h"
-#include "geometry/scene/scene_reader.h"
-#include "viz/shadow_writer.h"
+#include "gnomon/scene.h"
+#include "gnomon/writer.h"
 
 namespace gnomon {
 namespace {

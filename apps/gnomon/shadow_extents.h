@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <string_view>
 
-#include "geometry/spatial/shadow_volume.h"
-#include "viz/shadow_result.h"
+#include "gnomon/result.h"
+#include "gnomon/shadow_volume.h"
 
 namespace gnomon {
 

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string_view>
 
 #include "apps/gnomon/output_file.h"
 #include "apps/gnomon/shadow_extents.h"
-#include "geometry/spatial/plane_coefficients.h"
+#include "gnomon/shadow_volume.h"
 
 namespace gnomon {
 namespace {
@@ -15,16 +16,22 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// An index that names no element of the file (a diagonal of a polygon whose vertices were rounded) is null.
-Json element_json(std::string_view of, std::uint32_t index) {
-  return {{"of", of}, {"index", index == ~0u ? Json() : Json(index)}};
+template <class Index>
+Json element_json(std::string_view of, const std::optional<Index>& index) {
+  return {{"of", of}, {"index", index ? Json(number(*index)) : Json()}};
+}
+
+template <class Index>
+Json element_json(std::string_view of, Index index) {
+  return element_json(of, std::optional(index));
 }
 
 /// An edge of a solid has no index in the file: it is numbered among the solid's edges, and its vertices are told.
-Json blocker_edge_json(const ScenePair& pair, BlockerEdge edge) {
-  Json json = element_json("blocker", number(edge));
+Json blocker_edge_json(const ScenePair& pair, std::optional<BlockerEdge> edge) {
+  Json json = element_json("blocker", edge);
   const auto* solid = std::get_if<ConvexSolid>(&*pair.shape);
-  if (solid && number(edge) < solid->edges().size()) {
-    const ConvexSolid::Edge& ends = solid->edges()[number(edge)];
+  if (solid && edge) {
+    const ConvexSolid::Edge& ends = solid->edges()[number(*edge)];
     json["vertices"] = {ends.from, ends.to};
   }
   return json;
@@ -41,23 +48,26 @@ void add_coefficients(Json& json, const FacetName& plane, const ConvexVolume& vo
   }
 }
 
+template <class Plane>
+FacetName facet_name(FacetKind kind, const Plane& plane) {
+  return {kind, plane.edge ? std::optional(number(*plane.edge)) : std::nullopt, number(plane.vertex)};
+}
+
 Json plane_json(FacetKind kind, const BlockerPlane& plane, const ScenePair& pair, const ShadowVolumes& volumes) {
   const bool is_supporting = kind == FacetKind::supporting_blocker_plane;
   Json json = {{"contact", name(is_supporting ? Contact::supporting : Contact::separating)},
                {"edge", blocker_edge_json(pair, plane.edge)},
-               {"vertex", element_json("light", number(plane.vertex))}};
-  const FacetName facet{kind, static_cast<std::int32_t>(number(plane.edge)),
-                        static_cast<std::int32_t>(number(plane.vertex))};
+               {"vertex", element_json("light", plane.vertex)}};
+  const FacetName facet = facet_name(kind, plane);
   add_coefficients(json, facet, is_supporting ? volumes.umbra : volumes.occlusion);
   return json;
 }
 
 Json plane_json(const LightPlane& plane, const ShadowVolumes& volumes) {
   Json json = {{"contact", name(Contact::separating)},
-               {"edge", element_json("light", number(plane.edge))},
-               {"vertex", element_json("blocker", number(plane.vertex))}};
-  const FacetName facet{FacetKind::separating_light_plane, static_cast<std::int32_t>(number(plane.edge)),
-                        static_cast<std::int32_t>(number(plane.vertex))};
+               {"edge", element_json("light", plane.edge)},
+               {"vertex", element_json("blocker", plane.vertex)}};
+  const FacetName facet = facet_name(FacetKind::separating_light_plane, plane);
   add_coefficients(json, facet, volumes.occlusion);
   return json;
 }

@@ -11,7 +11,7 @@
 #include "apps/gnomon/scene_pairs.h"
 #include "apps/gnomon/shadow_summary.h"
 #include "apps/gnomon/text.h"
-#include "viz/series_writer.h"
+#include "gnomon/writer.h"
 
 namespace gnomon {
 namespace {

@@ -5,8 +5,8 @@
 #include "apps/gnomon/scene_pairs.h"
 #include "apps/gnomon/scene_text.h"
 #include "apps/gnomon/text.h"
-#include "geometry/scene/scene_reader.h"
-#include "viz/picture.h"
+#include "gnomon/picture.h"
+#include "gnomon/scene.h"
 
 namespace gnomon {
 namespace {

@@ -17,7 +17,7 @@
 #include "apps/proof/proof_commands.h"
 #include "apps/proof/theorem_files.h"
 #include "apps/proof/theorems_output.h"
-#include "viz/picture.h"
+#include "gnomon/picture.h"
 
 namespace gnomon {
 namespace {

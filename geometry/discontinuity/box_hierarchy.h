@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/discontinuity/rough_vector.h"
-#include "geometry/point.h"
+#include "gnomon/point.h"
 
 namespace gnomon::event {
 

@@ -1,4 +1,4 @@
-#include "geometry/discontinuity/discontinuity_surface.h"
+#include "gnomon/discontinuity.h"
 
 #include <algorithm>
 #include <optional>

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "geometry/kernel.h"
-#include "geometry/point.h"
+#include "gnomon/point.h"
 
 namespace gnomon::event {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "geometry/point.h"
+#include "gnomon/point.h"
 
 namespace gnomon {
 

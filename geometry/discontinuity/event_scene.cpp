@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "geometry/discontinuity/light_cuts.h"
-#include "geometry/errors.h"
+#include "gnomon/errors.h"
 
 namespace gnomon::event {
 namespace {

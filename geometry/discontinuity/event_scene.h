@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "geometry/discontinuity/box_hierarchy.h"
-#include "geometry/discontinuity/event_name.h"
 #include "geometry/discontinuity/pencil.h"
-#include "geometry/spatial/convex_blocker.h"
-#include "geometry/spatial/light.h"
+#include "gnomon/blocker.h"
+#include "gnomon/discontinuity.h"
+#include "gnomon/light.h"
 
 namespace gnomon::event {
 

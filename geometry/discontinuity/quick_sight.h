@@ -12,7 +12,7 @@
 #include "geometry/discontinuity/receiver_plane.h"
 #include "geometry/discontinuity/seen_vertices.h"
 #include "geometry/discontinuity/vertex_shadows.h"
-#include "geometry/region.h"
+#include "gnomon/names.h"
 
 namespace gnomon::event {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "geometry/kernel.h"
-#include "geometry/point.h"
+#include "gnomon/point.h"
 
 namespace gnomon::event {
 

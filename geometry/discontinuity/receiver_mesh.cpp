@@ -1,4 +1,4 @@
-#include "geometry/discontinuity/receiver_mesh.h"
+#include "gnomon/receiver_mesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +13,8 @@
 #include "geometry/discontinuity/receiver_mesh_data.h"
 #include "geometry/discontinuity/receiver_sight.h"
 #include "geometry/discontinuity/wedge.h"
-#include "geometry/errors.h"
 #include "geometry/parallel.h"
+#include "gnomon/errors.h"
 
 namespace gnomon {
 namespace {
@@ -268,8 +268,8 @@ std::vector<double> ReceiverDivision::visible_fractions(std::uint32_t receiver, 
   return fractions;
 }
 
-std::vector<ReceiverMesh> receiver_meshes(const Light& light, std::span<const ConvexBlocker> blockers,
-                                          std::span<const ConvexPolygon> receivers) {
+std::vector<ReceiverMesh> receiver_division(const Light& light, std::span<const ConvexBlocker> blockers,
+                                            std::span<const ConvexPolygon> receivers) {
   const ReceiverDivision division(light, blockers, receivers);
   std::vector<ReceiverMesh> meshes;
   for (std::uint32_t r = 0; r < receivers.size(); ++r) meshes.push_back(division.mesh(r));

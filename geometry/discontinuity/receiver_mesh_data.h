@@ -3,9 +3,9 @@
 /// What a ReceiverMesh consists of. Private to this folder and to tests.
 
 #include "geometry/discontinuity/receiver_arrangement.h"
-#include "geometry/discontinuity/receiver_mesh.h"
 #include "geometry/discontinuity/receiver_plane.h"
 #include "geometry/discontinuity/region_change.h"
+#include "gnomon/receiver_mesh.h"
 
 namespace gnomon {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "geometry/point.h"
+#include "gnomon/point.h"
 
 namespace gnomon::event {
 

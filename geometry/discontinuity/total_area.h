@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "geometry/discontinuity/receiver_mesh.h"
+#include "gnomon/receiver_mesh.h"
 
 namespace gnomon {
 

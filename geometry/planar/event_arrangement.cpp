@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/errors.h"
 #include "geometry/planar/event_rays.h"
 #include "geometry/planar/orientation.h"
+#include "gnomon/errors.h"
 
 namespace gnomon::planar {
 namespace {

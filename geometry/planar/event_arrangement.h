@@ -11,8 +11,8 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/planar/partition.h"
 #include "geometry/planar/viewpoint.h"
+#include "gnomon/flatland_partition.h"
 
 namespace gnomon::planar {
 

@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/contact.h"
 #include "geometry/planar/exact_polygon.h"
-#include "geometry/planar/flatland.h"
+#include "gnomon/flatland.h"
+#include "gnomon/names.h"
 
 namespace gnomon::planar {
 

@@ -51,7 +51,7 @@ ExactPolygon clipped(const ExactPolygon& polygon, const HalfPlane& half_plane) {
 }
 
 ExactPolygon polygon_of(const Box2& box) {
-  const auto side = [](std::int32_t number) { return SideName{SideKind::clip_box, -1, -1, number}; };
+  const auto side = [](std::uint32_t number) { return SideName{SideKind::clip_box, {}, {}, number}; };
   const ExactPoint min = exact(box.min);
   const ExactPoint max = exact(box.max);
   return {{min, {max.x, min.y}, max, {min.x, max.y}}, {side(2), side(1), side(3), side(0)}};

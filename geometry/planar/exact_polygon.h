@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry/kernel.h"
-#include "geometry/planar/regions.h"
+#include "gnomon/flatland_regions.h"
 
 namespace gnomon::planar {
 

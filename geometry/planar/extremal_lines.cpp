@@ -1,7 +1,7 @@
-#include "geometry/planar/extremal_lines.h"
+#include "gnomon/flatland_pair.h"
 
-#include "geometry/errors.h"
 #include "geometry/planar/orientation.h"
+#include "gnomon/errors.h"
 
 namespace gnomon::planar {
 namespace {

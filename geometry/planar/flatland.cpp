@@ -1,9 +1,9 @@
-#include "geometry/planar/flatland.h"
+#include "gnomon/flatland.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/errors.h"
+#include "gnomon/errors.h"
 
 namespace gnomon::planar {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "geometry/kernel.h"
 #include "geometry/planar/exact_polygon.h"
-#include "geometry/planar/flatland.h"
+#include "gnomon/flatland.h"
 
 namespace gnomon::planar {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/point.h"
+#include "gnomon/point.h"
 
 namespace gnomon::planar {
 

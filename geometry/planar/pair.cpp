@@ -1,10 +1,10 @@
-#include "geometry/planar/pair.h"
+#include "gnomon/flatland_pair.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/errors.h"
 #include "geometry/planar/orientation.h"
+#include "gnomon/errors.h"
 
 namespace gnomon::planar {
 

@@ -1,4 +1,4 @@
-#include "geometry/planar/partition.h"
+#include "gnomon/flatland_partition.h"
 
 #include <algorithm>
 

@@ -6,12 +6,12 @@
 
 #include "geometry/boxes.h"
 #include "geometry/disjoint_sets.h"
-#include "geometry/errors.h"
 #include "geometry/planar/event_arrangement.h"
-#include "geometry/planar/partition.h"
 #include "geometry/planar/partition_data.h"
 #include "geometry/planar/sight_query.h"
 #include "geometry/rounding.h"
+#include "gnomon/errors.h"
+#include "gnomon/flatland_partition.h"
 
 namespace gnomon::planar {
 namespace {

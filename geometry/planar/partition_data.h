@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "geometry/planar/exact_polygon.h"
-#include "geometry/planar/partition.h"
+#include "gnomon/flatland_partition.h"
 
 namespace gnomon::planar {
 

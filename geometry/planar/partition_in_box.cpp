@@ -1,4 +1,4 @@
-#include "geometry/planar/partition_in_box.h"
+#include "gnomon/flatland_partition.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -9,9 +9,9 @@
 #include <map>
 #include <utility>
 
-#include "geometry/errors.h"
 #include "geometry/planar/partition_data.h"
 #include "geometry/rounding.h"
+#include "gnomon/errors.h"
 
 namespace gnomon::planar {
 namespace {

@@ -1,4 +1,4 @@
-#include "geometry/planar/partition_location.h"
+#include "gnomon/flatland_partition.h"
 
 #include <algorithm>
 #include <cmath>

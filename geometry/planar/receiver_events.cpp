@@ -1,13 +1,13 @@
-#include "geometry/planar/receiver_events.h"
+#include "gnomon/flatland_receiver.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "geometry/errors.h"
 #include "geometry/planar/event_rays.h"
 #include "geometry/planar/light_line.h"
 #include "geometry/planar/sight_query.h"
 #include "geometry/rounding.h"
+#include "gnomon/errors.h"
 
 namespace gnomon::planar {
 namespace {

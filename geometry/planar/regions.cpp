@@ -1,4 +1,4 @@
-#include "geometry/planar/regions.h"
+#include "gnomon/flatland_regions.h"
 
 #include <algorithm>
 #include <tuple>
@@ -25,7 +25,7 @@ PieceCorner corner(BlockerVertex end) {
 constexpr PieceCorner meet{std::nullopt};
 
 PieceSide blocker_side(const Pair& pair, BlockerVertex from) {
-  return {{SideKind::blocker, -1, -1, -1}, pair.blocker_end(from), pair.blocker_end(other_end(from))};
+  return {{SideKind::blocker}, pair.blocker_end(from), pair.blocker_end(other_end(from))};
 }
 
 /// The half-plane left of the blocker as it runs from one end to the other.
@@ -105,8 +105,7 @@ void add_shadow(const Pair& pair, const ShadowSide& side, ShadowRegions& regions
 void add_line(const SideName& side, std::vector<ExtremalLine>& lines) {
   if (side.kind != SideKind::separating && side.kind != SideKind::supporting) return;
   const Contact contact = side.kind == SideKind::separating ? Contact::separating : Contact::supporting;
-  lines.push_back({contact, BlockerVertex{static_cast<std::uint32_t>(side.blocker_end)},
-                   LightVertex{static_cast<std::uint32_t>(side.light_end)}});
+  lines.push_back({contact, side.blocker_end.value(), side.light_end.value()});
 }
 
 std::vector<ExtremalLine> bounding_lines(const std::vector<ShadowSide>& sides) {

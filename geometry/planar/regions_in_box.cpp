@@ -1,12 +1,12 @@
-#include "geometry/planar/regions_in_box.h"
+#include "gnomon/flatland_regions.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "geometry/boxes.h"
-#include "geometry/errors.h"
 #include "geometry/planar/exact_polygon.h"
 #include "geometry/rounding.h"
+#include "gnomon/errors.h"
 
 namespace gnomon::planar {
 namespace {

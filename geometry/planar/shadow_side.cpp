@@ -9,7 +9,7 @@ namespace {
 
 BoundaryRay light_ray(const Pair& pair, Contact contact, BlockerVertex end, LightVertex light) {
   const SideKind kind = contact == Contact::separating ? SideKind::separating : SideKind::supporting;
-  const SideName name{kind, static_cast<std::int32_t>(number(end)), static_cast<std::int32_t>(number(light)), -1};
+  const SideName name{kind, end, light};
   return {name, pair.blocker_end(end), pair.light_end(light)};
 }
 
@@ -69,7 +69,7 @@ ShadowSide crossed_side(const Pair& pair, LightVertex far, int light_side, bool 
 }  // namespace
 
 BoundaryRay blocker_ray(const Pair& pair, BlockerVertex end) {
-  const SideName name{SideKind::blocker_line, static_cast<std::int32_t>(number(end)), -1, -1};
+  const SideName name{SideKind::blocker_line, end};
   return {name, pair.blocker_end(end), pair.blocker_end(other_end(end))};
 }
 

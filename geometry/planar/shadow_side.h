@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/planar/regions.h"
+#include "gnomon/flatland_regions.h"
 
 namespace gnomon::planar {
 

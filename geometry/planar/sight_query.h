@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "geometry/kernel.h"
-#include "geometry/planar/sight.h"
 #include "geometry/planar/viewpoint.h"
+#include "gnomon/flatland.h"
 
 namespace gnomon::planar {
 

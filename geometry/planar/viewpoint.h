@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "geometry/planar/exact_polygon.h"
-#include "geometry/point.h"
+#include "gnomon/point.h"
 
 namespace gnomon::planar {
 

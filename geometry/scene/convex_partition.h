@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "geometry/point.h"
 #include "geometry/scene/polygon_rings.h"
+#include "gnomon/scene.h"
 
 namespace gnomon {
 
@@ -20,5 +20,10 @@ namespace gnomon {
 ///              overlap and fill it.
 /// Exactness:   signs of determinants of input points; no vertex is constructed.
 std::vector<Ring> convex_partition(std::span<const Point3> points, std::vector<Ring> rings);
+
+/// The vertices of the pieces alone: of a polygon, and of a facet of a mesh, which is its own piece where it is convex.
+std::vector<std::vector<std::uint32_t>> convex_pieces(const ConcavePolygon& polygon);
+std::vector<std::vector<std::uint32_t>> convex_pieces(std::span<const Point3> points,
+                                                      const std::vector<std::uint32_t>& facet);
 
 }  // namespace gnomon

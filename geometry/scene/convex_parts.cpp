@@ -1,4 +1,4 @@
-#include "geometry/scene/convex_parts.h"
+#include "gnomon/scene.h"
 
 #include <utility>
 
@@ -106,6 +106,24 @@ std::optional<ClosedSurface> enclosed_space(const SceneBlocker& blocker) {
     }
   }
   return surface;
+}
+
+Obstacles obstacles_of(const Scene& scene) {
+  Obstacles obstacles;
+  for (const SceneBlocker& blocker : scene.blockers) {
+    for (ConvexPart& part : convex_parts(blocker)) obstacles.blockers.push_back(std::move(part.shape));
+    if (auto space = enclosed_space(blocker)) obstacles.enclosures.push_back(std::move(*space));
+  }
+  return obstacles;
+}
+
+planar::Sight planar_sight(const Scene& scene, const PlanarLight& light) {
+  std::vector<planar::BlockerSegment> segments;
+  for (const PlanarBlocker& blocker : scene.planar_blockers) {
+    const auto parts = planar::segments_of_polyline(blocker.vertices);
+    segments.insert(segments.end(), parts.begin(), parts.end());
+  }
+  return planar::Sight(planar::Flatland::from_points(light.vertices, segments));
 }
 
 }  // namespace gnomon

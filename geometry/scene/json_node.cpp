@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geometry/scene/json_text.h"
-#include "geometry/scene/scene_reader.h"
+#include "gnomon/scene.h"
 
 namespace gnomon {
 

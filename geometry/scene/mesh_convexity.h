@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/point.h"
+#include "gnomon/point.h"
 
 namespace gnomon {
 

@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "geometry/scene/scene.h"
 #include "geometry/scene/scene_elements.h"
+#include "gnomon/scene.h"
 
 namespace gnomon {
 

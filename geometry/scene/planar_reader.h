@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "geometry/scene/scene.h"
 #include "geometry/scene/scene_elements.h"
+#include "gnomon/scene.h"
 
 namespace gnomon {
 

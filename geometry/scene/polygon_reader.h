@@ -4,8 +4,8 @@
 #include <variant>
 #include <vector>
 
-#include "geometry/scene/scene.h"
 #include "geometry/scene/scene_elements.h"
+#include "gnomon/scene.h"
 
 namespace gnomon {
 

@@ -4,9 +4,10 @@
 #include <numeric>
 #include <utility>
 
-#include "geometry/scene/convex_parts.h"
-#include "geometry/spatial/convex_solid.h"
+#include "geometry/scene/convex_partition.h"
 #include "geometry/spatial/polygon_checks.h"
+#include "gnomon/blocker.h"
+#include "gnomon/scene.h"
 
 namespace gnomon {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/scene/scene.h"
+#include "gnomon/scene.h"
 
 namespace gnomon {
 

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/point.h"
 #include "geometry/scene/json_node.h"
+#include "gnomon/point.h"
 
 namespace gnomon {
 

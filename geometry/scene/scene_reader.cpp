@@ -1,9 +1,8 @@
-#include "geometry/scene/scene_reader.h"
+#include "gnomon/scene.h"
 
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "geometry/length_unit.h"
 #include "geometry/scene/file_text.h"
 #include "geometry/scene/json_node.h"
 #include "geometry/scene/json_text.h"
@@ -11,6 +10,7 @@
 #include "geometry/scene/scene_doubts.h"
 #include "geometry/scene/scene_elements.h"
 #include "geometry/scene/spatial_reader.h"
+#include "gnomon/point.h"
 
 namespace gnomon {
 namespace {

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "geometry/scene/scene.h"
 #include "geometry/scene/scene_elements.h"
+#include "gnomon/scene.h"
 
 namespace gnomon {
 

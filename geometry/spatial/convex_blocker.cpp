@@ -1,4 +1,4 @@
-#include "geometry/spatial/convex_blocker.h"
+#include "gnomon/blocker.h"
 
 #include <vector>
 

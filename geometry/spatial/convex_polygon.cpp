@@ -1,12 +1,12 @@
-#include "geometry/spatial/convex_polygon.h"
+#include "gnomon/convex_polygon.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "geometry/errors.h"
 #include "geometry/kernel.h"
 #include "geometry/spatial/polygon_checks.h"
+#include "gnomon/errors.h"
 
 namespace gnomon {
 namespace {

@@ -1,4 +1,4 @@
-#include "geometry/spatial/convex_solid.h"
+#include "gnomon/blocker.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "geometry/disjoint_sets.h"
-#include "geometry/errors.h"
 #include "geometry/kernel.h"
 #include "geometry/spatial/hull_triangles.h"
 #include "geometry/spatial/orientation.h"
+#include "gnomon/errors.h"
 
 namespace gnomon {
 namespace {

@@ -111,8 +111,8 @@ class Separation {
       }
     }
     HalfSpace result;
-    result.name.edge_index = static_cast<std::int32_t>(edge.name);
-    result.name.vertex_index = static_cast<std::int32_t>(lowest_touching(other_, touches, from(edge), to(edge)));
+    if (edge.name != Hull::none) result.name.edge_index = edge.name;
+    result.name.vertex_index = lowest_touching(other_, touches, from(edge), to(edge));
     result.plane = {from(edge), to(edge), other_.corners[corner]};
     if (way > 0) std::swap(result.plane[0], result.plane[1]);
     result.third_is_direction = other_.at_infinity;

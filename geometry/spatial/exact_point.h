@@ -3,7 +3,7 @@
 #include <array>
 
 #include "geometry/kernel.h"
-#include "geometry/point.h"
+#include "gnomon/point.h"
 
 namespace gnomon {
 

@@ -86,7 +86,7 @@ PlaneId ExactSpace::add_plane(const HalfSpace& half_space) {
 PlaneId ExactSpace::add_box_side(const Box3& box, int side) {
   const double bounds[] = {box.min.x, box.max.x, box.min.y, box.max.y, box.min.z, box.max.z};
   return add({.kind = PlaneKind::axis,
-              .name = {FacetKind::clip_box, side},
+              .name = {FacetKind::clip_box, static_cast<std::uint32_t>(side)},
               .axis = static_cast<std::uint32_t>(side / 2),
               .sign = side % 2 == 0 ? -1.0 : 1.0,
               .bound = bounds[static_cast<std::size_t>(side)]});

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/kernel.h"
-#include "geometry/spatial/shadow_volume.h"
+#include "gnomon/shadow_volume.h"
 
 namespace gnomon {
 

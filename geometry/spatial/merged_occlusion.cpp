@@ -1,4 +1,4 @@
-#include "geometry/spatial/merged_occlusion.h"
+#include "gnomon/shadow_mesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,12 +10,12 @@
 #include <CGAL/determinant.h>
 
 #include "geometry/boxes.h"
-#include "geometry/errors.h"
 #include "geometry/rounding.h"
 #include "geometry/spatial/exposed_facets.h"
 #include "geometry/spatial/pair_polyhedra.h"
 #include "geometry/spatial/touching_sheets.h"
 #include "geometry/spatial/vertex_rounding.h"
+#include "gnomon/errors.h"
 
 namespace gnomon {
 namespace {

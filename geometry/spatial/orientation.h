@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "geometry/point.h"
+#include "gnomon/point.h"
 
 namespace gnomon {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "geometry/errors.h"
 #include "geometry/spatial/contact_walk.h"
 #include "geometry/spatial/pair_sides.h"
+#include "gnomon/errors.h"
 
 namespace gnomon {
 namespace {

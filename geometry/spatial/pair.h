@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/spatial/convex_blocker.h"
-#include "geometry/spatial/extremal_planes.h"
-#include "geometry/spatial/light.h"
 #include "geometry/spatial/orientation.h"
+#include "gnomon/blocker.h"
+#include "gnomon/light.h"
+#include "gnomon/pair.h"
 
 namespace gnomon {
 

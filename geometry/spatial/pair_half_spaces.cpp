@@ -12,8 +12,8 @@ namespace gnomon {
 namespace {
 
 HalfSpace facet_half_space(const HullPair& pair, std::uint32_t facet) {
-  const std::int32_t index = pair.blocker.flat ? -1 : static_cast<std::int32_t>(facet);
-  return {{FacetKind::blocker_face, -1, index},
+  const auto index = pair.blocker.flat ? std::nullopt : std::optional(facet);
+  return {{FacetKind::blocker_face, {}, index},
           {pair.blocker.facet_point(facet, 0), pair.blocker.facet_point(facet, 1), pair.blocker.facet_point(facet, 2)}};
 }
 
@@ -47,7 +47,7 @@ Range blocker_range(const HullPair& pair, std::uint32_t light_facet) {
 /// The half-space in front of a facet of the light.
 HalfSpace front_half_space(const HullPair& pair, std::uint32_t facet) {
   const Hull& light = pair.light;
-  return {{FacetKind::light_plane, -1, light.flat ? -1 : static_cast<std::int32_t>(facet)},
+  return {{FacetKind::light_plane, {}, light.flat ? std::nullopt : std::optional(facet)},
           {light.facet_point(facet, 1), light.facet_point(facet, 0), light.facet_point(facet, 2)}};
 }
 
@@ -115,7 +115,7 @@ bool holds_light(const HullPair& pair, const HalfSpace& half_space) {
 }
 
 /// What tells planes apart that hold the whole light: the facet of the blocker or light, or the blocker edge.
-using PlaneKey = std::tuple<FacetKind, std::int32_t, std::array<double, 6>>;
+using PlaneKey = std::tuple<FacetKind, std::optional<std::uint32_t>, std::array<double, 6>>;
 
 PlaneKey plane_key(const HalfSpace& half_space) {
   const FacetName& name = half_space.name;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "geometry/spatial/hull_pair.h"
-#include "geometry/spatial/shadow_volume.h"
+#include "gnomon/shadow_volume.h"
 
 namespace gnomon {
 

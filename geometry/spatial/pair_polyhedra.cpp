@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
-#include "geometry/errors.h"
-#include "geometry/spatial/position.h"
+#include "gnomon/errors.h"
+#include "gnomon/pair.h"
 
 namespace gnomon {
 namespace {
 
 HalfSpace solid_facet_half_space(const HullPair& pair, std::uint32_t facet) {
-  return {{FacetKind::blocker_face, -1, static_cast<std::int32_t>(facet)},
+  return {{FacetKind::blocker_face, {}, facet},
           {pair.blocker.facet_point(facet, 0), pair.blocker.facet_point(facet, 1), pair.blocker.facet_point(facet, 2)}};
 }
 

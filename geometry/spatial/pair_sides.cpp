@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "geometry/errors.h"
+#include "gnomon/errors.h"
 
 namespace gnomon {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "geometry/spatial/light.h"
 #include "geometry/spatial/orientation.h"
-#include "geometry/spatial/position.h"
+#include "gnomon/light.h"
+#include "gnomon/pair.h"
 
 namespace gnomon {
 

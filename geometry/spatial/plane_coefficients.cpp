@@ -1,4 +1,4 @@
-#include "geometry/spatial/plane_coefficients.h"
+#include "gnomon/shadow_volume.h"
 
 #include <algorithm>
 #include <cstdlib>

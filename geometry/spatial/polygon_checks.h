@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "geometry/point.h"
+#include "gnomon/point.h"
 
 namespace gnomon {
 

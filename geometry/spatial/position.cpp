@@ -1,4 +1,4 @@
-#include "geometry/spatial/position.h"
+#include "gnomon/pair.h"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
-#include "geometry/spatial/shadow_volume.h"
+#include "gnomon/shadow_volume.h"
 
-#include "geometry/errors.h"
-#include "geometry/spatial/position.h"
 #include "geometry/spatial/standard_occlusion.h"
 #include "geometry/spatial/volume_extent.h"
+#include "gnomon/errors.h"
+#include "gnomon/pair.h"
 
 namespace gnomon {
 namespace {
@@ -13,18 +13,22 @@ int side_of(const HalfSpace& half_space, const Point3& point) {
   return half_space.third_is_direction ? -exact_direction_side(a, b, point, c) : exact_orientation(a, b, c, point);
 }
 
+template <class Index>
+std::optional<Index> named(const std::optional<std::uint32_t>& index) {
+  return index ? std::optional(Index{*index}) : std::nullopt;
+}
+
 /// The planes of half-spaces that go through an edge of one and a vertex of the other.
 ExtremalPlanes named_planes(const PairHalfSpaces& half_spaces) {
   ExtremalPlanes planes;
-  const auto index = [](std::int32_t i) { return static_cast<std::uint32_t>(i); };
   const auto add = [&](const HalfSpace& half_space) {
     const auto& [kind, edge, vertex] = half_space.name;
     if (kind == FacetKind::separating_blocker_plane) {
-      planes.separating_blocker.push_back({BlockerEdge{index(edge)}, LightVertex{index(vertex)}});
+      planes.separating_blocker.push_back({named<BlockerEdge>(edge), LightVertex{vertex.value()}});
     } else if (kind == FacetKind::supporting_blocker_plane) {
-      planes.supporting_blocker.push_back({BlockerEdge{index(edge)}, LightVertex{index(vertex)}});
+      planes.supporting_blocker.push_back({named<BlockerEdge>(edge), LightVertex{vertex.value()}});
     } else if (kind == FacetKind::separating_light_plane) {
-      planes.separating_light.push_back({LightEdge{index(edge)}, BlockerVertex{index(vertex)}});
+      planes.separating_light.push_back({named<LightEdge>(edge), BlockerVertex{vertex.value()}});
     }
   };
   for (const HalfSpace& half_space : half_spaces.occlusion) add(half_space);

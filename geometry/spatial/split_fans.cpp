@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "geometry/disjoint_sets.h"
-#include "geometry/errors.h"
+#include "gnomon/errors.h"
 
 namespace gnomon {
 namespace {

@@ -5,19 +5,15 @@
 namespace gnomon {
 namespace {
 
-FacetName facet_name(FacetKind kind, std::uint32_t edge, std::uint32_t vertex) {
-  return {kind, static_cast<std::int32_t>(edge), static_cast<std::int32_t>(vertex)};
-}
-
 HalfSpace blocker_half_space(const StandardPair& pair, std::uint32_t k, const TouchedCorners& touched, FacetKind kind) {
   const BlockerPlane plane = blocker_plane(pair, k, touched);
-  return {facet_name(kind, number(plane.edge), number(plane.vertex)),
+  return {{kind, number(plane.edge), number(plane.vertex)},
           {pair.blocker.corner(k), pair.blocker.corner(pair.blocker.next(k)), pair.light.corner(touched.first)}};
 }
 
 HalfSpace light_half_space(const StandardPair& pair, const LightSideContact& contact) {
   const LightPlane plane = light_plane(pair, contact);
-  return {facet_name(FacetKind::separating_light_plane, number(plane.edge), number(plane.vertex)),
+  return {{FacetKind::separating_light_plane, number(plane.edge), number(plane.vertex)},
           {pair.light.corner(contact.light_side), pair.light.corner(pair.light.next(contact.light_side)),
            pair.blocker.corner(contact.blocker_corner)}};
 }

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "geometry/disjoint_sets.h"
-#include "geometry/errors.h"
+#include "gnomon/errors.h"
 
 namespace gnomon {
 namespace {

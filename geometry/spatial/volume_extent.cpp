@@ -7,8 +7,8 @@
 #include <set>
 
 #include "geometry/disjoint_sets.h"
-#include "geometry/errors.h"
 #include "geometry/spatial/shadow_polyhedra.h"
+#include "gnomon/errors.h"
 
 namespace gnomon {
 namespace {
@@ -170,7 +170,7 @@ std::uint32_t umbra_pockets(const HullPair& pair, const PairHalfSpaces& half_spa
   }
   for (const HalfSpace& half_space : half_spaces.umbra) {
     if (half_space.name.kind == FacetKind::blocker_face) {
-      counts[static_cast<std::size_t>(half_space.name.vertex_index)] = false;
+      counts[half_space.name.vertex_index.value()] = false;
     }
   }
   DisjointSets groups(counts.size());
@@ -212,7 +212,7 @@ void measure_umbra(const HullPair& pair, const PairHalfSpaces& half_spaces, cons
   const CGAL::Protect_FPU_rounding<true> protection;
   const Hull& blocker = pair.blocker;
   const HalfSpace seen{
-      {FacetKind::blocker_face, -1, blocker.flat ? -1 : static_cast<std::int32_t>(view.facet)},
+      {FacetKind::blocker_face, {}, blocker.flat ? std::nullopt : std::optional(view.facet)},
       {blocker.facet_point(view.facet, 0), blocker.facet_point(view.facet, 1), blocker.facet_point(view.facet, 2)}};
   ShadowPlanes planes(half_spaces, seen);
   const ConvexPolyhedron about = pyramid(planes.space, blocker, pair.light.corners[view.corner]);

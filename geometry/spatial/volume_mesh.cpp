@@ -1,4 +1,4 @@
-#include "geometry/spatial/volume_mesh.h"
+#include "gnomon/shadow_mesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,12 +8,12 @@
 #include <CGAL/determinant.h>
 
 #include "geometry/boxes.h"
-#include "geometry/errors.h"
 #include "geometry/rounding.h"
 #include "geometry/spatial/clipping.h"
 #include "geometry/spatial/difference_surface.h"
 #include "geometry/spatial/pair_polyhedra.h"
 #include "geometry/spatial/vertex_rounding.h"
+#include "gnomon/errors.h"
 
 namespace gnomon {
 namespace {

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "geometry/spatial/convex_solid.h"
 #include "geometry/visibility/blocker_set.h"
 #include "geometry/visibility/outline.h"
+#include "gnomon/blocker.h"
 
 namespace gnomon {
 

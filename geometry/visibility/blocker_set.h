@@ -4,7 +4,7 @@
 #include <memory>
 #include <span>
 
-#include "geometry/spatial/convex_blocker.h"
+#include "gnomon/blocker.h"
 
 namespace gnomon {
 

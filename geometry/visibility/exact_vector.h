@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "geometry/kernel.h"
-#include "geometry/point.h"
+#include "gnomon/point.h"
 
 namespace gnomon {
 

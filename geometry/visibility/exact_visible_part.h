@@ -2,8 +2,8 @@
 
 /// What is left of a light behind obstacles, as exact polygons and intervals. Private: it speaks of rational numbers.
 
-#include "geometry/visibility/visibility.h"
 #include "geometry/visibility/visible_part.h"
+#include "gnomon/visibility.h"
 
 namespace gnomon {
 

@@ -5,11 +5,11 @@
 #include <variant>
 #include <vector>
 
-#include "geometry/point.h"
-#include "geometry/region.h"
-#include "geometry/spatial/light.h"
 #include "geometry/visibility/blocker_set.h"
 #include "geometry/visibility/receiver_front.h"
+#include "gnomon/light.h"
+#include "gnomon/names.h"
+#include "gnomon/point.h"
 
 namespace gnomon {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "geometry/spatial/convex_blocker.h"
 #include "geometry/visibility/exact_vector.h"
+#include "gnomon/blocker.h"
 
 namespace gnomon {
 

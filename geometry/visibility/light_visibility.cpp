@@ -1,9 +1,9 @@
-#include "geometry/visibility/light_visibility.h"
-
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "geometry/boxes.h"
+#include "geometry/visibility/prepared_obstacles.h"
 
 namespace gnomon {
 namespace {
@@ -53,15 +53,21 @@ Visibility exact_answer(const Light& light, const Obstacles& obstacles, const Re
 
 }  // namespace
 
-PreparedObstacles::PreparedObstacles(Obstacles obstacles)
-    : obstacles_(std::make_shared<const Obstacles>(std::move(obstacles))), blockers_(obstacles_->blockers) {
-  for (const ClosedSurface& surface : obstacles_->enclosures) {
+PreparedObstacles::Content::Content(Obstacles given) : obstacles(std::move(given)), blockers(obstacles.blockers) {
+  for (const ClosedSurface& surface : obstacles.enclosures) {
     if (!surface.vertices.empty()) enclosures_.push_back(box_around(surface.vertices));
   }
 }
 
-bool PreparedObstacles::may_enclose(const Point3& p) const {
+bool PreparedObstacles::Content::may_enclose(const Point3& p) const {
   return std::any_of(enclosures_.begin(), enclosures_.end(), [&](const Box3& box) { return holds(box, p); });
+}
+
+PreparedObstacles::PreparedObstacles(Obstacles obstacles)
+    : content_(std::make_shared<const Content>(std::move(obstacles))) {}
+
+const Obstacles& PreparedObstacles::obstacles() const {
+  return content_->obstacles;
 }
 
 FastLevel fast_level(const Light& light, const BlockerSet& blockers) {
@@ -71,30 +77,57 @@ FastLevel fast_level(const Light& light, const BlockerSet& blockers) {
   return FastVisibility(std::get<AreaLight>(light), blockers);
 }
 
+class LightVisibility::Work {
+ public:
+  Work(Light light, PreparedObstacles obstacles)
+      : light_(std::move(light)),
+        obstacles_(std::move(obstacles)),
+        fast_(fast_level(light_, obstacles_.content().blockers)) {}
+
+  template <class Looking>
+  Visibility answer(const Looking& p) {
+    if (const std::optional<Visibility> fast = fast_answer(p)) return *fast;
+    ++exact_answers_;
+    return exact_answer(light_, obstacles_.obstacles(), p);
+  }
+
+  std::size_t exact_answers() const { return exact_answers_; }
+
+ private:
+  template <class Looking>
+  std::optional<Visibility> fast_answer(const Looking& p) {
+    if (obstacles_.content().encloses(p)) return std::nullopt;
+    const std::optional<Visibility> seen = std::visit([&](auto& level) { return visibility(level, p); }, fast_);
+    if (!seen || !(seen->error_bound <= widest_bound)) return std::nullopt;
+    return seen;
+  }
+
+  Light light_;
+  PreparedObstacles obstacles_;
+  FastLevel fast_;
+  std::size_t exact_answers_ = 0;
+};
+
 LightVisibility::LightVisibility(Light light, PreparedObstacles obstacles)
-    : light_(std::move(light)), obstacles_(std::move(obstacles)), fast_(fast_level(light_, obstacles_.blockers())) {}
-
-template <class Looking>
-std::optional<Visibility> LightVisibility::fast_answer(const Looking& p) {
-  if (obstacles_.encloses(p)) return std::nullopt;
-  const std::optional<Visibility> seen = std::visit([&](auto& level) { return visibility(level, p); }, fast_);
-  if (!seen || !(seen->error_bound <= widest_bound)) return std::nullopt;
-  return seen;
-}
-
-template <class Looking>
-Visibility LightVisibility::answer(const Looking& p) {
-  if (const std::optional<Visibility> fast = fast_answer(p)) return *fast;
-  ++exact_answers_;
-  return exact_answer(light_, obstacles_.obstacles(), p);
-}
+    : work_(std::make_unique<Work>(std::move(light), std::move(obstacles))) {}
+LightVisibility::LightVisibility(LightVisibility&&) noexcept = default;
+LightVisibility& LightVisibility::operator=(LightVisibility&&) noexcept = default;
+LightVisibility::~LightVisibility() = default;
 
 Visibility LightVisibility::at(const Point3& p) {
-  return answer(p);
+  return work_->answer(p);
 }
 
 Visibility LightVisibility::received(const ReceiverPoint& receiver) {
-  return answer(receiver);
+  return work_->answer(receiver);
+}
+
+std::size_t LightVisibility::exact_answers() const {
+  return work_->exact_answers();
+}
+
+Visibility light_visibility(const Light& light, const Obstacles& obstacles, const Point3& p) {
+  return LightVisibility(light, PreparedObstacles(obstacles)).at(p);
 }
 
 }  // namespace gnomon

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "geometry/spatial/convex_blocker.h"
+#include "gnomon/blocker.h"
 
 namespace gnomon {
 

@@ -1,9 +1,8 @@
-#include "geometry/visibility/resting_point.h"
-
 #include <algorithm>
 
 #include "geometry/spatial/orientation.h"
 #include "geometry/visibility/blocker_content.h"
+#include "geometry/visibility/prepared_obstacles.h"
 #include "geometry/visibility/rounding_distance.h"
 
 namespace gnomon {
@@ -30,7 +29,7 @@ bool any_facet(const Content& content, std::uint32_t blocker, Look look) {
 
 ReceiverPoint resting_point(const PreparedObstacles& obstacles, const Point3& p, const Point3& normal) {
   ReceiverPoint receiver{p, FacingNormal{normal}};
-  const Content& content = obstacles.blockers().content();
+  const Content& content = obstacles.content().blockers.content();
   content.collect_near(p, receiver.under);
   std::erase_if(receiver.under, [&](std::uint32_t blocker) {
     return !any_facet(content, blocker, [&](std::span<const Point3> corners, bool is_solid) {
@@ -41,7 +40,7 @@ ReceiverPoint resting_point(const PreparedObstacles& obstacles, const Point3& p,
 }
 
 bool is_within_rounding(const PreparedObstacles& obstacles, const Point3& p) {
-  const Content& content = obstacles.blockers().content();
+  const Content& content = obstacles.content().blockers.content();
   std::vector<std::uint32_t> near;
   content.collect_near(p, near);
   return std::any_of(near.begin(), near.end(), [&](std::uint32_t blocker) {

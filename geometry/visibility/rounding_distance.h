@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "geometry/point.h"
+#include "gnomon/point.h"
 
 namespace gnomon::sight {
 

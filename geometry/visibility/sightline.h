@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "geometry/point.h"
+#include "gnomon/point.h"
 
 namespace gnomon::sight {
 

@@ -1,11 +1,14 @@
-#include "geometry/visibility/visibility.h"
+#include "gnomon/visibility.h"
 
 #include <algorithm>
 #include <array>
 
+#include "geometry/spatial/closed_surface.h"
 #include "geometry/visibility/exact_front.h"
 #include "geometry/visibility/exact_visible_part.h"
+#include "geometry/visibility/prepared_obstacles.h"
 #include "geometry/visibility/reach.h"
+#include "geometry/visibility/receiver_front.h"
 #include "geometry/visibility/rounding_distance.h"
 #include "geometry/visibility/visible_fraction.h"
 

@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "geometry/region.h"
-#include "geometry/spatial/light.h"
 #include "geometry/visibility/exact_vector.h"
 #include "geometry/visibility/hidden_set.h"
+#include "gnomon/light.h"
+#include "gnomon/names.h"
 
 namespace gnomon {
 

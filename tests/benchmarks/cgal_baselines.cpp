@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/kernel.h"
-#include "geometry/spatial/extremal_planes.h"
+#include "gnomon/pair.h"
 
 namespace gnomon::benchmarks {
 namespace {

@@ -5,7 +5,7 @@
 #include <atomic>
 
 #include "apps/proof/report/box_stacks.h"
-#include "geometry/discontinuity/receiver_mesh.h"
+#include "gnomon/receiver_mesh.h"
 
 // k x k stacks of 8 boxes on a floor, every face a receiver (48 k^2 + 1 of them), divided by all edge-vertex events and
 // labelled: under a small distant light, and under a square light three stack heights above the floor.

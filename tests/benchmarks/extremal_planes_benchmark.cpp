@@ -1,4 +1,4 @@
-#include "geometry/spatial/extremal_planes.h"
+#include "gnomon/pair.h"
 
 #include <benchmark/benchmark.h>
 

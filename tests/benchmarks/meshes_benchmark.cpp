@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/discontinuity/receiver_mesh.h"
+#include "gnomon/receiver_mesh.h"
 #include "tests/benchmarks/mesh_models.h"
 
 // A floor below one mesh under a lamp as wide as it, divided by all edge-vertex events and labelled. Counters:

@@ -9,9 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/planar/partition.h"
-#include "geometry/planar/partition_location.h"
-#include "geometry/planar/sight.h"
+#include "gnomon/flatland.h"
+#include "gnomon/flatland_partition.h"
 #include "tests/benchmarks/ratios.h"
 
 // A light of the plane among n random segments: what points see of it, the exact partition of the plane, and beside it

@@ -1,4 +1,4 @@
-#include "geometry/spatial/volume_mesh.h"
+#include "gnomon/shadow_mesh.h"
 
 #include <benchmark/benchmark.h>
 

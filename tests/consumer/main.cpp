@@ -4,9 +4,8 @@
 #include <cstdio>
 #include <variant>
 
-#include "geometry/scene/scene_reader.h"
-#include "geometry/spatial/extremal_planes.h"
-#include "geometry/spatial/shadow_volume.h"
+#include <gnomon/scene.h>
+#include <gnomon/shadow_volume.h>
 
 namespace {
 

@@ -7,7 +7,7 @@
 
 #include "geometry/scene/mesh_facets.h"
 #include "geometry/scene/mesh_formats.h"
-#include "geometry/scene/scene_reader.h"
+#include "gnomon/scene.h"
 
 /// One run of the fuzzer: the first byte chooses the format, the rest is the file. Any bytes must end in polygons or in
 /// a SceneError.

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "apps/gnomon/point_table.h"
-#include "geometry/scene/scene_reader.h"
+#include "gnomon/scene.h"
 
 /// One run of the fuzzer: any bytes must end in rows of finite points and of problems, or in a SceneError. The first
 /// byte chooses the columns, the rest is the file.

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "geometry/scene/scene_reader.h"
+#include "gnomon/scene.h"
 
 /// One run of the fuzzer: any bytes must end in a scene or in a SceneError. Mesh files are looked for in a folder that
 /// does not exist.

@@ -1,4 +1,4 @@
-#include "shading/irradiance_summary.h"
+#include "gnomon/irradiance.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <random>
 #include <vector>
 
-#include "geometry/errors.h"
 #include "geometry/kernel.h"
+#include "gnomon/errors.h"
 
 namespace gnomon {
 namespace {

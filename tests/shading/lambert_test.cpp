@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "geometry/errors.h"
+#include "gnomon/errors.h"
 #include "shading/reference_irradiance.h"
 #include "tests/geometry/visibility/splitting_oracle.h"
 

@@ -1,4 +1,4 @@
-#include "shading/light_irradiance.h"
+#include "gnomon/irradiance.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <random>
 #include <vector>
 
-#include "geometry/errors.h"
 #include "geometry/visibility/exact_visible_part.h"
+#include "gnomon/errors.h"
 #include "shading/reference_irradiance.h"
 #include "shading/small_lights.h"
 #include "tests/geometry/visibility/splitting_oracle.h"

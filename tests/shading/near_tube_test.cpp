@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "geometry/visibility/exact_visible_part.h"
-#include "shading/light_irradiance.h"
+#include "gnomon/irradiance.h"
 #include "shading/small_lights.h"
 #include "tests/support/dice.h"
 

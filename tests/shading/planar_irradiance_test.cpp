@@ -1,4 +1,4 @@
-#include "shading/planar_irradiance.h"
+#include "gnomon/flatland_receiver.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

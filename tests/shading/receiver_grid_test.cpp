@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "shading/light_irradiance.h"
+#include "gnomon/irradiance.h"
 #include "tests/support/dice.h"
 
 namespace gnomon {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "apps/proof/laws/draw.h"
-#include "shading/light_irradiance.h"
+#include "gnomon/irradiance.h"
 #include "tests/geometry/visibility/receiver_oracle.h"
 
 namespace gnomon {

@@ -7,9 +7,9 @@
 #include <optional>
 #include <string>
 
+#include "gnomon/picture.h"
 #include "tests/viz/sample_result.h"
 #include "tests/viz/temporary_folder.h"
-#include "viz/picture.h"
 
 namespace gnomon {
 namespace {

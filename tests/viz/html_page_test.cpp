@@ -8,10 +8,10 @@
 #include <regex>
 #include <string>
 
+#include "gnomon/picture.h"
 #include "tests/viz/planar_sample.h"
 #include "tests/viz/sample_result.h"
 #include "tests/viz/temporary_folder.h"
-#include "viz/picture.h"
 
 namespace gnomon {
 namespace {

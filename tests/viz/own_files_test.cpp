@@ -3,11 +3,10 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include "gnomon/writer.h"
 #include "tests/viz/sample_result.h"
 #include "tests/viz/temporary_folder.h"
 #include "viz/discontinuity_writer.h"
-#include "viz/series_writer.h"
-#include "viz/shadow_writer.h"
 
 namespace gnomon::viz {
 namespace {

@@ -1,4 +1,4 @@
-#include "viz/picture.h"
+#include "gnomon/picture.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,12 +12,12 @@
 #include <filesystem>
 #include <fstream>
 
-#include "geometry/errors.h"
+#include "gnomon/errors.h"
+#include "gnomon/writer.h"
 #include "tests/viz/planar_sample.h"
 #include "tests/viz/sample_result.h"
 #include "tests/viz/temporary_folder.h"
 #include "viz/palette.h"
-#include "viz/shadow_writer.h"
 
 namespace gnomon {
 namespace {

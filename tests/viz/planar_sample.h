@@ -1,6 +1,6 @@
 #pragma once
 
-#include "viz/shadow_result.h"
+#include "gnomon/result.h"
 
 namespace gnomon {
 

@@ -18,10 +18,10 @@
 #include <string>
 #include <utility>
 
+#include "gnomon/writer.h"
 #include "tests/viz/planar_sample.h"
 #include "tests/viz/read_back.h"
 #include "tests/viz/temporary_folder.h"
-#include "viz/shadow_writer.h"
 
 namespace gnomon {
 namespace {

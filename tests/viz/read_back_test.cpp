@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
+#include "gnomon/writer.h"
 #include "tests/viz/read_back.h"
 #include "tests/viz/sample_result.h"
 #include "tests/viz/temporary_folder.h"
-#include "viz/shadow_writer.h"
 
 namespace gnomon {
 namespace {

@@ -11,13 +11,13 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "gnomon/errors.h"
+#include "gnomon/picture.h"
+#include "gnomon/writer.h"
 #include "tests/viz/read_back.h"
 #include "tests/viz/sample_result.h"
 #include "tests/viz/temporary_folder.h"
 #include "viz/discontinuity_writer.h"
-#include "viz/picture.h"
-#include "viz/result_error.h"
-#include "viz/shadow_writer.h"
 #include "viz/staged_folder.h"
 
 namespace gnomon {

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/scene/convex_parts.h"
+#include "gnomon/scene.h"
 
 namespace gnomon {
 namespace {
@@ -126,7 +126,7 @@ SampleResult::SampleResult(const std::string& light, const std::string& blocker)
   }
   const std::vector<ConvexPolygon> receivers = {scene_.receivers[0].shape};
   result_.receivers.push_back(
-      {0, 0, light, "floor", receiver_meshes(scene_.lights[0].shape, parts, receivers).front()});
+      {0, 0, light, "floor", receiver_division(scene_.lights[0].shape, parts, receivers).front()});
 
   PairResult unsupported;
   unsupported.light = light;

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "viz/shadow_result.h"
+#include "gnomon/result.h"
 
 namespace gnomon {
 

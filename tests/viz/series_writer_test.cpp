@@ -1,14 +1,13 @@
-#include "viz/series_writer.h"
+#include "gnomon/writer.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-#include "geometry/errors.h"
+#include "gnomon/errors.h"
 #include "tests/viz/sample_result.h"
 #include "tests/viz/temporary_folder.h"
-#include "viz/shadow_writer.h"
 
 namespace gnomon {
 namespace {

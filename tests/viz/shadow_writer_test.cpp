@@ -1,4 +1,4 @@
-#include "viz/shadow_writer.h"
+#include "gnomon/writer.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <string>
 
-#include "geometry/errors.h"
+#include "gnomon/errors.h"
 #include "tests/viz/read_back.h"
 #include "tests/viz/sample_result.h"
 #include "tests/viz/temporary_folder.h"

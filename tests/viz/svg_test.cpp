@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
+#include "gnomon/picture.h"
+#include "gnomon/writer.h"
 #include "tests/viz/planar_sample.h"
 #include "tests/viz/temporary_folder.h"
-#include "viz/picture.h"
 #include "viz/picture_selection.h"
-#include "viz/shadow_writer.h"
 
 namespace gnomon::viz {
 namespace {

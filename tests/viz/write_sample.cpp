@@ -2,8 +2,8 @@
 
 #include <cstdlib>
 
+#include "gnomon/writer.h"
 #include "tests/viz/sample_result.h"
-#include "viz/shadow_writer.h"
 
 int main(int count, char** arguments) {
   if (count != 3) return EXIT_FAILURE;

@@ -7,9 +7,9 @@
 #include "apps/proof/laws/draw.h"
 #include "apps/proof/laws/pair_generator.h"
 #include "geometry/spatial/polygon_checks.h"
-#include "geometry/spatial/position.h"
-#include "geometry/spatial/shadow_volume.h"
-#include "geometry/visibility/visibility.h"
+#include "gnomon/pair.h"
+#include "gnomon/shadow_volume.h"
+#include "gnomon/visibility.h"
 
 namespace gnomon::laws {
 namespace {

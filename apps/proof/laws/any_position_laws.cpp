@@ -9,8 +9,8 @@
 #include "apps/proof/laws/draw.h"
 #include "apps/proof/laws/law_entry.h"
 #include "apps/proof/laws/meeting.h"
-#include "geometry/spatial/shadow_volume.h"
-#include "geometry/visibility/visibility.h"
+#include "gnomon/shadow_volume.h"
+#include "gnomon/visibility.h"
 
 namespace gnomon::laws {
 namespace {

@@ -3,9 +3,9 @@
 #include <array>
 #include <cstdint>
 
-#include "geometry/planar/regions.h"
-#include "geometry/region.h"
-#include "geometry/spatial/shadow_volume.h"
+#include "gnomon/flatland_regions.h"
+#include "gnomon/names.h"
+#include "gnomon/shadow_volume.h"
 
 namespace gnomon::laws {
 

@@ -7,7 +7,7 @@
 #include "apps/proof/laws/draw.h"
 #include "apps/proof/laws/exact.h"
 #include "apps/proof/laws/pair_generator.h"
-#include "geometry/spatial/shadow_volume.h"
+#include "gnomon/shadow_volume.h"
 
 namespace gnomon::laws {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "geometry/errors.h"
+#include "gnomon/errors.h"
 
 namespace gnomon::laws {
 namespace {

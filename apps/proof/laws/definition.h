@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "apps/proof/laws/exact.h"
-#include "geometry/spatial/light.h"
+#include "gnomon/light.h"
 
 namespace gnomon::laws {
 

@@ -6,7 +6,7 @@
 
 #include <rapidcheck.h>
 
-#include "geometry/point.h"
+#include "gnomon/point.h"
 
 namespace gnomon::laws {
 

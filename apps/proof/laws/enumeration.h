@@ -3,7 +3,7 @@
 /// All extremal planes of a pair, found by trying every plane through an edge and a vertex.
 
 #include "apps/proof/laws/exact.h"
-#include "geometry/spatial/extremal_planes.h"
+#include "gnomon/pair.h"
 
 namespace gnomon::laws {
 

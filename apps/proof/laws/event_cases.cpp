@@ -11,7 +11,7 @@
 #include "apps/proof/laws/pair_generator.h"
 #include "apps/proof/laws/point_text.h"
 #include "geometry/spatial/polygon_checks.h"
-#include "geometry/visibility/visibility.h"
+#include "gnomon/visibility.h"
 
 namespace gnomon::laws {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "apps/proof/laws/event_cases.h"
 #include "apps/proof/laws/sight_along_path.h"
-#include "geometry/discontinuity/event_name.h"
+#include "gnomon/discontinuity.h"
 
 namespace gnomon::laws {
 

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "geometry/planar/flatland.h"
-#include "geometry/scene/scene.h"
-#include "geometry/spatial/convex_blocker.h"
-#include "geometry/spatial/light.h"
+#include "gnomon/blocker.h"
+#include "gnomon/flatland.h"
+#include "gnomon/light.h"
+#include "gnomon/scene.h"
 
 namespace gnomon::laws {
 

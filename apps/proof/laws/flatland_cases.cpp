@@ -7,8 +7,8 @@
 
 #include "apps/proof/laws/draw.h"
 #include "apps/proof/laws/point_text.h"
-#include "geometry/planar/partition.h"
-#include "geometry/planar/sight.h"
+#include "gnomon/flatland.h"
+#include "gnomon/flatland_partition.h"
 
 namespace gnomon::laws {
 namespace {

@@ -9,7 +9,7 @@
 #include "apps/proof/laws/census.h"
 #include "apps/proof/laws/example.h"
 #include "apps/proof/laws/law.h"
-#include "geometry/planar/flatland.h"
+#include "gnomon/flatland.h"
 
 namespace gnomon::laws {
 

@@ -10,8 +10,8 @@
 
 #include "apps/proof/laws/draw.h"
 #include "apps/proof/laws/point_text.h"
-#include "geometry/planar/region_of.h"
-#include "geometry/planar/regions.h"
+#include "gnomon/flatland_pair.h"
+#include "gnomon/flatland_regions.h"
 
 namespace gnomon::laws {
 namespace {

@@ -9,7 +9,7 @@
 #include "apps/proof/laws/census.h"
 #include "apps/proof/laws/example.h"
 #include "apps/proof/laws/law.h"
-#include "geometry/planar/pair.h"
+#include "gnomon/flatland_pair.h"
 
 namespace gnomon::laws {
 

@@ -3,7 +3,7 @@
 #include <ostream>
 #include <span>
 
-#include "geometry/point.h"
+#include "gnomon/point.h"
 
 namespace gnomon::laws {
 

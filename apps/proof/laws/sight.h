@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "apps/proof/laws/exact.h"
-#include "geometry/region.h"
-#include "geometry/spatial/convex_blocker.h"
-#include "geometry/spatial/light.h"
+#include "gnomon/blocker.h"
+#include "gnomon/light.h"
+#include "gnomon/names.h"
 
 namespace gnomon::laws {
 

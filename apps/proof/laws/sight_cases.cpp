@@ -10,9 +10,9 @@
 #include "apps/proof/laws/exact.h"
 #include "apps/proof/laws/pair_generator.h"
 #include "apps/proof/laws/point_text.h"
-#include "geometry/spatial/position.h"
-#include "geometry/spatial/shadow_volume.h"
-#include "geometry/visibility/visibility.h"
+#include "gnomon/pair.h"
+#include "gnomon/shadow_volume.h"
+#include "gnomon/visibility.h"
 
 namespace gnomon::laws {
 namespace {

@@ -8,8 +8,8 @@
 #include "apps/proof/laws/census.h"
 #include "apps/proof/laws/example.h"
 #include "apps/proof/laws/law.h"
-#include "geometry/spatial/convex_blocker.h"
-#include "geometry/spatial/light.h"
+#include "gnomon/blocker.h"
+#include "gnomon/light.h"
 
 namespace gnomon::laws {
 

@@ -7,8 +7,8 @@
 #include "apps/proof/laws/draw.h"
 #include "apps/proof/laws/pair_generator.h"
 #include "apps/proof/laws/point_text.h"
-#include "geometry/spatial/shadow_volume.h"
-#include "geometry/visibility/visibility.h"
+#include "gnomon/shadow_volume.h"
+#include "gnomon/visibility.h"
 
 namespace gnomon::laws {
 namespace {

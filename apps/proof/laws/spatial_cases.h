@@ -7,7 +7,7 @@
 #include "apps/proof/laws/census.h"
 #include "apps/proof/laws/example.h"
 #include "apps/proof/laws/law.h"
-#include "geometry/spatial/light.h"
+#include "gnomon/light.h"
 
 namespace gnomon::laws {
 

@@ -3,14 +3,13 @@
 #include <array>
 #include <functional>
 
-#include "geometry/discontinuity/discontinuity_surface.h"
-#include "geometry/discontinuity/receiver_mesh.h"
-#include "geometry/planar/extremal_lines.h"
-#include "geometry/planar/partition.h"
-#include "geometry/planar/region_of.h"
-#include "geometry/planar/regions.h"
-#include "geometry/spatial/shadow_volume.h"
-#include "geometry/visibility/visibility.h"
+#include "gnomon/discontinuity.h"
+#include "gnomon/flatland_pair.h"
+#include "gnomon/flatland_partition.h"
+#include "gnomon/flatland_regions.h"
+#include "gnomon/receiver_mesh.h"
+#include "gnomon/shadow_volume.h"
+#include "gnomon/visibility.h"
 
 namespace gnomon::laws {
 

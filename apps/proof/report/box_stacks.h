@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "geometry/spatial/convex_blocker.h"
-#include "geometry/spatial/convex_polygon.h"
-#include "geometry/spatial/light.h"
+#include "gnomon/blocker.h"
+#include "gnomon/convex_polygon.h"
+#include "gnomon/light.h"
 
 namespace gnomon::report {
 

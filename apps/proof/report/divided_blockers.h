@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/spatial/convex_blocker.h"
+#include "gnomon/blocker.h"
 
 namespace gnomon::report {
 

@@ -10,8 +10,8 @@
 #include "apps/proof/report/embree_sight.h"
 #include "apps/proof/report/plain_sight.h"
 #include "apps/proof/report/truth.h"
-#include "geometry/visibility/light_visibility.h"
-#include "shading/light_irradiance.h"
+#include "gnomon/irradiance.h"
+#include "gnomon/visibility.h"
 
 namespace gnomon::report {
 namespace {

@@ -7,8 +7,8 @@
 #include "apps/proof/report/hard_cases.h"
 #include "apps/proof/report/sight_tasks.h"
 #include "apps/proof/report/stopwatch.h"
-#include "geometry/visibility/visibility.h"
-#include "shading/irradiance.h"
+#include "gnomon/irradiance.h"
+#include "gnomon/visibility.h"
 
 namespace gnomon::report {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "geometry/point.h"
-#include "geometry/spatial/convex_polygon.h"
+#include "gnomon/convex_polygon.h"
+#include "gnomon/point.h"
 
 namespace gnomon::report {
 

@@ -6,8 +6,8 @@
 
 #include "apps/proof/report/light_frame.h"
 #include "apps/proof/report/sight_answer.h"
-#include "geometry/spatial/convex_blocker.h"
-#include "geometry/spatial/light.h"
+#include "gnomon/blocker.h"
+#include "gnomon/light.h"
 
 namespace gnomon::report {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/spatial/extremal_planes.h"
+#include "gnomon/pair.h"
 
 namespace gnomon::report {
 

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "geometry/spatial/light.h"
+#include "gnomon/light.h"
 
 namespace gnomon::report {
 

@@ -3,8 +3,8 @@
 #include <span>
 
 #include "apps/proof/report/sight_answer.h"
-#include "geometry/spatial/convex_blocker.h"
-#include "geometry/spatial/light.h"
+#include "gnomon/blocker.h"
+#include "gnomon/light.h"
 
 namespace gnomon::report {
 

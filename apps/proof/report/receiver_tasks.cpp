@@ -6,8 +6,8 @@
 #include "apps/proof/report/draws.h"
 #include "apps/proof/report/embree_sight.h"
 #include "apps/proof/report/shapes.h"
-#include "geometry/discontinuity/receiver_mesh.h"
-#include "geometry/visibility/light_visibility.h"
+#include "gnomon/receiver_mesh.h"
+#include "gnomon/visibility.h"
 #include "shading/receiver_grid.h"
 
 namespace gnomon::report {

@@ -10,7 +10,7 @@
 #include "apps/proof/report/shapes.h"
 #include "apps/proof/report/triangle_scenes.h"
 #include "apps/proof/report/vectors.h"
-#include "geometry/visibility/light_visibility.h"
+#include "gnomon/visibility.h"
 
 namespace gnomon::report {
 namespace {

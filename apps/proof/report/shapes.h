@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "geometry/spatial/convex_blocker.h"
-#include "geometry/spatial/light.h"
+#include "gnomon/blocker.h"
+#include "gnomon/light.h"
 
 namespace gnomon::report {
 

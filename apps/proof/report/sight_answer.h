@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/region.h"
+#include "gnomon/names.h"
 
 namespace gnomon::report {
 

@@ -9,8 +9,8 @@
 #include "apps/proof/report/plain_sight.h"
 #include "apps/proof/report/polygon_set_sight.h"
 #include "apps/proof/report/triangle_scenes.h"
-#include "geometry/visibility/light_visibility.h"
-#include "shading/light_irradiance.h"
+#include "gnomon/irradiance.h"
+#include "gnomon/visibility.h"
 
 namespace gnomon::report {
 namespace {

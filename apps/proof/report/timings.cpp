@@ -7,10 +7,10 @@
 #include "apps/proof/report/polygon_pairs.h"
 #include "apps/proof/report/spheres.h"
 #include "apps/proof/report/triangle_scenes.h"
-#include "geometry/discontinuity/receiver_mesh.h"
-#include "geometry/spatial/extremal_planes.h"
-#include "geometry/spatial/volume_mesh.h"
-#include "geometry/visibility/light_visibility.h"
+#include "gnomon/pair.h"
+#include "gnomon/receiver_mesh.h"
+#include "gnomon/shadow_mesh.h"
+#include "gnomon/visibility.h"
 #include "shading/lambert.h"
 
 namespace gnomon::report {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "geometry/region.h"
-#include "geometry/spatial/light.h"
-#include "geometry/visibility/visibility.h"
+#include "gnomon/light.h"
+#include "gnomon/names.h"
+#include "gnomon/visibility.h"
 
 namespace gnomon::report {
 

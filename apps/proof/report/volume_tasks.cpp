@@ -4,7 +4,7 @@
 
 #include "apps/proof/report/vectors.h"
 #include "apps/proof/report/volume_peers.h"
-#include "geometry/spatial/volume_mesh.h"
+#include "gnomon/shadow_mesh.h"
 
 namespace gnomon::report {
 namespace {

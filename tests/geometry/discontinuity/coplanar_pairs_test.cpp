@@ -30,7 +30,7 @@ Blockers covered(Blockers blockers, double z) {
 }
 
 ReceiverMesh mesh_of(const Light& light, const Blockers& blockers) {
-  return receiver_meshes(light, blockers, std::vector{ground}).front();
+  return receiver_division(light, blockers, std::vector{ground}).front();
 }
 
 /// The length of the line x = 0 that bears a name which `is_meant` holds for.
@@ -193,7 +193,7 @@ TEST(CoplanarPairsProperty, AreSeenInLineWhereTheyAreTraced) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     test_support::Dice dice(seed);
     const test_support::SideCase drawn = test_support::mesh_under_lamp(dice);
-    const ReceiverMesh mesh = receiver_meshes(drawn.light, drawn.blockers, drawn.receivers).front();
+    const ReceiverMesh mesh = receiver_division(drawn.light, drawn.blockers, drawn.receivers).front();
     for (const MeshEdge& edge : mesh.edges()) {
       const auto& data = mesh.data();
       const ExactVector middle =

@@ -7,11 +7,10 @@
 #include <set>
 #include <tuple>
 
-#include "geometry/discontinuity/discontinuity_surface.h"
 #include "geometry/discontinuity/event_scene.h"
-#include "geometry/spatial/extremal_planes.h"
-#include "geometry/spatial/position.h"
 #include "geometry/visibility/fast_visibility.h"
+#include "gnomon/discontinuity.h"
+#include "gnomon/pair.h"
 #include "tests/geometry/discontinuity/mesh_probe.h"
 #include "tests/geometry/discontinuity/triple_edges.h"
 
@@ -118,7 +117,7 @@ double growth(const Light& light, const Blockers& blockers, const Point3& bounda
 
 /// For every edge between a lit and a penumbral face: the growth and the lowest order of its names.
 std::vector<std::pair<double, int>> growths(const Light& light, const Blockers& blockers) {
-  const ReceiverMesh mesh = receiver_meshes(light, blockers, std::vector{events_ground}).front();
+  const ReceiverMesh mesh = receiver_division(light, blockers, std::vector{events_ground}).front();
   const std::vector<Point3> points = mesh.vertices();
   std::vector<std::pair<double, int>> found;
   for (const MeshEdge& edge : mesh.edges()) {
@@ -200,7 +199,7 @@ std::optional<Structure> structure_at(FastVisibility& sight, const Point3& p) {
 
 /// Compares what several points of each face see; returns the number of comparisons.
 std::size_t expect_constant_structure(const AreaLight& light, const Blockers& blockers) {
-  const ReceiverMesh mesh = receiver_meshes(light, blockers, std::vector{events_ground}).front();
+  const ReceiverMesh mesh = receiver_division(light, blockers, std::vector{events_ground}).front();
   const CGAL::Protect_FPU_rounding<true> upward;
   const event::EventScene scene(light, blockers, std::vector{events_ground});
   const CGAL::Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);

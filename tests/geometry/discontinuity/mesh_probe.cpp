@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "geometry/scene/convex_parts.h"
+#include "gnomon/scene.h"
 
 namespace gnomon {
 namespace {

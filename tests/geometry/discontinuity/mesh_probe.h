@@ -5,10 +5,10 @@
 #include <random>
 #include <vector>
 
-#include "geometry/discontinuity/receiver_mesh.h"
 #include "geometry/discontinuity/receiver_mesh_data.h"
-#include "geometry/scene/scene.h"
-#include "geometry/visibility/visibility.h"
+#include "gnomon/receiver_mesh.h"
+#include "gnomon/scene.h"
+#include "gnomon/visibility.h"
 
 namespace gnomon {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <iostream>
 
-#include "geometry/scene/scene_reader.h"
+#include "gnomon/scene.h"
 #include "tests/geometry/discontinuity/mesh_probe.h"
 
 namespace gnomon {
@@ -31,7 +31,7 @@ TEST_P(NamedScene, HasTheRegionsOfTheDefinitionOnEveryReceiver) {
   const std::vector<ConvexBlocker> blockers = parts_of_blockers(scene);
   const std::vector<ConvexPolygon> receivers = receivers_of(scene);
   const Light& light = scene.lights.front().shape;
-  const std::vector<ReceiverMesh> meshes = receiver_meshes(light, blockers, receivers);
+  const std::vector<ReceiverMesh> meshes = receiver_division(light, blockers, receivers);
   for (std::size_t r = 0; r < meshes.size(); ++r) {
     EXPECT_TRUE(meshes[r].areas_add_up());
     const ProbeResult result = compare_with_definition(meshes[r], receivers[r], light, blockers, 400, 11);

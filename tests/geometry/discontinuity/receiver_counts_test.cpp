@@ -50,7 +50,7 @@ TEST(ReceiverMeshProperty, TracesMeetExactlyOnTheSharedEdgeOfTwoFacets) {
       const std::vector<ConvexPolygon> facets{
           ConvexPolygon::from_points({{-6, -6, 0}, {0, -6, 0}, {0, 6, 0}, {-6, 6, 0}}),
           ConvexPolygon::from_points({{0, -6, 0}, {6, -6, rise}, {6, 6, rise}, {0, 6, 0}})};
-      const std::vector<ReceiverMesh> meshes = receiver_meshes(light, blockers, facets);
+      const std::vector<ReceiverMesh> meshes = receiver_division(light, blockers, facets);
       const CrossedAt left = crossings(meshes[0], {0, -6, 0}, {0, 6, 0});
       EXPECT_EQ(left, crossings(meshes[1], {0, -6, 0}, {0, 6, 0}));
       met += left.size();
@@ -69,7 +69,7 @@ TEST(ReceiverCounts, OfSeparateTrianglesAreThoseOfOnePairEach) {
     Blockers blockers;
     for (int i = 0; i < k * k; ++i) blockers.push_back(triangle(random, 8.0 * (i % k), 8.0 * (i / k), 2, Facing::up));
     const ConvexPolygon floor = rectangle(-8, -8, 8.0 * k, 8.0 * k, 0, Facing::up);
-    const ReceiverMesh mesh = receiver_meshes(light, blockers, std::vector{floor}).front();
+    const ReceiverMesh mesh = receiver_division(light, blockers, std::vector{floor}).front();
     const auto shadows = static_cast<std::size_t>(k * k);
     EXPECT_EQ(mesh.names().size(), 18 * shadows + 4);
     EXPECT_EQ(mesh.faces().size(), mesh.edges().size() - mesh.vertex_count() + 1 + shadows);
@@ -93,7 +93,7 @@ TEST(ReceiverCounts, OfBoxesStandingApartAreThoseOfOneBoxEach) {
       blockers.push_back(box({x, y, 0}, {x + 2, y + 1.5, 1 + 0.25 * (i % 2)}));
     }
     const ConvexPolygon floor = rectangle(-8, -8, 8.0 * k, 8.0 * k, 0, Facing::up);
-    const ReceiverMesh mesh = receiver_meshes(light, blockers, std::vector{floor}).front();
+    const ReceiverMesh mesh = receiver_division(light, blockers, std::vector{floor}).front();
     const auto shadows = static_cast<std::size_t>(k * k);
     EXPECT_EQ(mesh.names().size(), (3 * 4 + 3 * 3 + 5) * shadows + 4);
     EXPECT_EQ(mesh.faces().size(), mesh.edges().size() - mesh.vertex_count() + 1 + shadows);

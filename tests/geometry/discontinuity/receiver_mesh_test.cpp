@@ -1,4 +1,4 @@
-#include "geometry/discontinuity/receiver_mesh.h"
+#include "gnomon/receiver_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ ConvexPolygon floor_of(double half, double z = 0) {
 }
 
 ReceiverMesh mesh_of(const Light& light, const Blockers& blockers, const ConvexPolygon& receiver) {
-  return receiver_meshes(light, blockers, std::vector{receiver}).front();
+  return receiver_division(light, blockers, std::vector{receiver}).front();
 }
 
 std::string exact_area(const ReceiverMesh& mesh, ReceiverRegion region) {

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "geometry/discontinuity/receiver_mesh.h"
 #include "geometry/discontinuity/receiver_mesh_data.h"
-#include "geometry/scene/scene_reader.h"
-#include "geometry/visibility/visibility.h"
+#include "gnomon/receiver_mesh.h"
+#include "gnomon/scene.h"
+#include "gnomon/visibility.h"
 #include "tests/geometry/discontinuity/mesh_cases.h"
 #include "tests/geometry/discontinuity/mesh_probe.h"
 #include "tests/geometry/discontinuity/side_cases.h"
@@ -177,7 +177,7 @@ TEST_P(AttackedScene, HasTheRegionsOfTheDefinition) {
   const Scene scene = read_scene(attacks + GetParam() + ".scene.json");
   const auto blockers = parts_of_blockers(scene);
   const Light& light = scene.lights.front().shape;
-  const ReceiverMesh mesh = receiver_meshes(light, blockers, receivers_of(scene)).front();
+  const ReceiverMesh mesh = receiver_division(light, blockers, receivers_of(scene)).front();
   const auto expected = nlohmann::json::parse(std::ifstream(attacks + GetParam() + ".expected.json"));
   EXPECT_TRUE(mesh.areas_add_up());
   for (const auto& [region, area] : expected.at("areas").at("r0").items()) EXPECT_EQ(area_of(mesh, region), area);
@@ -197,7 +197,7 @@ INSTANTIATE_TEST_SUITE_P(ReceiverSide, AttackedScene, ::testing::ValuesIn(attack
 using Blockers = std::vector<ConvexBlocker>;
 
 ReceiverMesh mesh_before(const Light& light, const Blockers& blockers, const ConvexPolygon& receiver) {
-  return receiver_meshes(light, blockers, std::vector{receiver}).front();
+  return receiver_division(light, blockers, std::vector{receiver}).front();
 }
 
 const Light lamp_above = lamp(rectangle(-1, -1, 1, 1, 2, Facing::down));

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "geometry/rounding.h"
-#include "geometry/scene/scene_reader.h"
+#include "gnomon/scene.h"
 #include "tests/geometry/discontinuity/mesh_probe.h"
 
 namespace gnomon {
@@ -104,7 +104,7 @@ struct Tally {
 
 /// Compares what certified faces are said to be with points drawn in them, and counts the others.
 void expect_true_faces(const Light& light, const Blockers& blockers, Tally& tally) {
-  const ReceiverMesh mesh = receiver_meshes(light, blockers, std::vector{change_ground}).front();
+  const ReceiverMesh mesh = receiver_division(light, blockers, std::vector{change_ground}).front();
   const std::vector<RegionCount> counts = drawn_in_faces(mesh, light, blockers, 8);
   tally.faces += counts.size();
   for (std::size_t f = 0; f < counts.size(); ++f) {
@@ -155,7 +155,7 @@ TEST(RegionCertificate, LeavesNothingOfTheCornellBoxOpen) {
   const Blockers blockers = parts_of_blockers(scene);
   const std::vector<ConvexPolygon> receivers = receivers_of(scene);
   const Light& light = scene.lights.front().shape;
-  const std::vector<ReceiverMesh> meshes = receiver_meshes(light, blockers, receivers);
+  const std::vector<ReceiverMesh> meshes = receiver_division(light, blockers, receivers);
   for (std::size_t r = 0; r < meshes.size(); ++r) {
     const auto areas = meshes[r].areas();
     std::cout << scene.receivers[r].name << ": " << meshes[r].faces().size() << " faces";

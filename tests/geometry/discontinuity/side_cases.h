@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "geometry/spatial/convex_blocker.h"
-#include "geometry/spatial/convex_polygon.h"
-#include "geometry/spatial/light.h"
+#include "gnomon/blocker.h"
+#include "gnomon/convex_polygon.h"
+#include "gnomon/light.h"
 #include "tests/support/dice.h"
 
 namespace gnomon::test_support {

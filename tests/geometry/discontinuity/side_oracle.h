@@ -4,10 +4,10 @@
 
 #include <span>
 
-#include "geometry/region.h"
-#include "geometry/spatial/convex_blocker.h"
-#include "geometry/spatial/light.h"
 #include "geometry/visibility/exact_vector.h"
+#include "gnomon/blocker.h"
+#include "gnomon/light.h"
+#include "gnomon/names.h"
 
 namespace gnomon::test_support {
 

@@ -1,10 +1,10 @@
-#include "geometry/planar/extremal_lines.h"
+#include "gnomon/flatland_pair.h"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-#include "geometry/errors.h"
+#include "gnomon/errors.h"
 
 namespace gnomon::planar {
 namespace {

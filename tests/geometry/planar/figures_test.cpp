@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <string>
 
-#include "geometry/planar/regions.h"
-#include "geometry/scene/scene_reader.h"
+#include "gnomon/flatland_regions.h"
+#include "gnomon/scene.h"
 
 namespace gnomon::planar {
 namespace {

@@ -1,11 +1,11 @@
-#include "geometry/planar/pair.h"
+#include "gnomon/flatland_pair.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <vector>
 
-#include "geometry/errors.h"
+#include "gnomon/errors.h"
 
 namespace gnomon::planar {
 namespace {

@@ -1,4 +1,4 @@
-#include "geometry/planar/partition.h"
+#include "gnomon/flatland_partition.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -7,13 +7,11 @@
 
 #include "apps/proof/laws/flatland_cases.h"
 #include "apps/proof/laws/planar_definition.h"
-#include "geometry/errors.h"
 #include "geometry/planar/light_line.h"
 #include "geometry/planar/partition_data.h"
-#include "geometry/planar/partition_in_box.h"
-#include "geometry/planar/regions.h"
-#include "geometry/planar/regions_in_box.h"
 #include "geometry/rounding.h"
+#include "gnomon/errors.h"
+#include "gnomon/flatland_regions.h"
 
 namespace gnomon::planar {
 namespace {

@@ -1,4 +1,4 @@
-#include "geometry/planar/receiver_events.h"
+#include "gnomon/flatland_receiver.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,4 +1,4 @@
-#include "geometry/planar/region_of.h"
+#include "gnomon/flatland_pair.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "geometry/planar/regions_in_box.h"
+#include "gnomon/flatland_regions.h"
 
 #include <gtest/gtest.h>
 
@@ -13,9 +13,9 @@
 
 #include "apps/proof/laws/planar_cases.h"
 #include "apps/proof/laws/planar_definition.h"
-#include "geometry/errors.h"
 #include "geometry/planar/exact_polygon.h"
-#include "geometry/planar/region_of.h"
+#include "gnomon/errors.h"
+#include "gnomon/flatland_pair.h"
 
 namespace gnomon::planar {
 namespace {
@@ -69,12 +69,12 @@ bool is_on(const ExactPoint& p, const SideName& name, const Pair& pair, const Bo
       return is_on(p, pair.blocker()[0], pair.blocker()[1]);
     case SideKind::separating:
     case SideKind::supporting:
-      return is_on(p, pair.blocker().at(std::size_t(name.blocker_end)), pair.light()[std::size_t(name.light_end)]);
+      return is_on(p, pair.blocker_end(name.blocker_end.value()), pair.light_end(name.light_end.value()));
     default:
       break;
   }
   const double sides[] = {box.min.x, box.max.x, box.min.y, box.max.y};
-  return (name.box_side < 2 ? p.x : p.y) == sides[name.box_side];
+  return (name.box_side < 2 ? p.x : p.y) == sides[name.box_side.value()];
 }
 
 ExactPoint middle(const ExactPolygon& polygon) {

@@ -1,4 +1,4 @@
-#include "geometry/planar/regions.h"
+#include "gnomon/flatland_regions.h"
 
 #include <gtest/gtest.h>
 
@@ -32,8 +32,8 @@ Counts counts_of(const ShadowRegions& regions) {
   return {regions.lit.components, regions.penumbra.components, regions.umbra.components, regions.occlusion.components};
 }
 
-SideName light_line(SideKind kind, std::int32_t blocker_end, std::int32_t light_end) {
-  return {kind, blocker_end, light_end, -1};
+SideName light_line(SideKind kind, std::uint32_t blocker_end, std::uint32_t light_end) {
+  return {kind, BlockerVertex{blocker_end}, LightVertex{light_end}};
 }
 
 std::vector<SideName> side_names(const ConvexPiece& piece) {
@@ -42,7 +42,7 @@ std::vector<SideName> side_names(const ConvexPiece& piece) {
   return names;
 }
 
-constexpr SideName the_blocker{SideKind::blocker, -1, -1, -1};
+constexpr SideName the_blocker{SideKind::blocker};
 const PieceCorner end_0{BlockerVertex{0}};
 const PieceCorner end_1{BlockerVertex{1}};
 
@@ -131,7 +131,7 @@ TEST(ShadowRegions, OfALightThatTouchesTheBlockersLineBesideHaveNoUmbraAndOnePen
   EXPECT_EQ(counts_of(regions), (Counts{1, 1, 0, 1}));
   EXPECT_EQ(side_names(regions.penumbra.pieces.front()),
             (std::vector<SideName>{
-                {SideKind::blocker_line, 1, -1, -1}, the_blocker, light_line(SideKind::separating, 0, 1)}));
+                {SideKind::blocker_line, BlockerVertex{1}}, the_blocker, light_line(SideKind::separating, 0, 1)}));
 }
 
 TEST(ShadowRegions, OfALightOnTheBlockersLineAreLit) {

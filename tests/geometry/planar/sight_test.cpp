@@ -1,4 +1,4 @@
-#include "geometry/planar/sight.h"
+#include "gnomon/flatland.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/scene/scene_reader.h"
+#include "gnomon/scene.h"
 
 namespace gnomon {
 namespace {

@@ -1,4 +1,4 @@
-#include "geometry/scene/convex_parts.h"
+#include "gnomon/scene.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,6 +10,7 @@
 #include "apps/proof/laws/draw.h"
 #include "apps/proof/laws/exact.h"
 #include "geometry/scene/polygon_examination.h"
+#include "geometry/spatial/closed_surface.h"
 #include "geometry/spatial/polygon_checks.h"
 
 namespace gnomon {

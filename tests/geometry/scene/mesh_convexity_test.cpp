@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/scene/convex_parts.h"
+#include "gnomon/scene.h"
 
 namespace gnomon {
 namespace {

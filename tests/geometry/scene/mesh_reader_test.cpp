@@ -10,7 +10,7 @@
 #include <fstream>
 #include <string>
 
-#include "geometry/scene/scene_reader.h"
+#include "gnomon/scene.h"
 
 namespace gnomon {
 namespace {

@@ -1,4 +1,4 @@
-#include "geometry/scene/scene_reader.h"
+#include "gnomon/scene.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

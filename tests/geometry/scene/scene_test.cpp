@@ -1,4 +1,4 @@
-#include "geometry/scene/scene.h"
+#include "gnomon/scene.h"
 
 #include <gtest/gtest.h>
 

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "apps/proof/laws/any_pair.h"
-#include "geometry/spatial/position.h"
-#include "geometry/spatial/shadow_volume.h"
-#include "geometry/visibility/visibility.h"
+#include "gnomon/pair.h"
+#include "gnomon/shadow_volume.h"
+#include "gnomon/visibility.h"
 #include "tests/geometry/spatial/expected_region.h"
 
 // The volumes of pairs that stand anywhere, against what points see by the definition.

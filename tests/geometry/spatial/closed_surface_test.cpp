@@ -5,7 +5,7 @@
 
 #include "apps/proof/laws/draw.h"
 #include "apps/proof/laws/exact.h"
-#include "geometry/spatial/convex_solid.h"
+#include "gnomon/blocker.h"
 
 namespace gnomon {
 namespace {

@@ -1,4 +1,4 @@
-#include "geometry/spatial/convex_polygon.h"
+#include "gnomon/convex_polygon.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <limits>
 #include <numeric>
 
-#include "geometry/errors.h"
+#include "gnomon/errors.h"
 
 namespace gnomon {
 namespace {

@@ -1,4 +1,4 @@
-#include "geometry/spatial/convex_solid.h"
+#include "gnomon/blocker.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,8 +12,7 @@
 #include "apps/proof/laws/cone.h"
 #include "apps/proof/laws/draw.h"
 #include "apps/proof/laws/pair_generator.h"
-#include "geometry/errors.h"
-#include "geometry/spatial/convex_blocker.h"
+#include "gnomon/errors.h"
 
 namespace gnomon {
 namespace {

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "apps/proof/laws/exact.h"
-#include "geometry/region.h"
-#include "geometry/spatial/shadow_volume.h"
+#include "gnomon/names.h"
+#include "gnomon/shadow_volume.h"
 
 namespace gnomon {
 

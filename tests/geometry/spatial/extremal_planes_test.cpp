@@ -1,9 +1,9 @@
-#include "geometry/spatial/extremal_planes.h"
+#include "gnomon/pair.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "geometry/errors.h"
+#include "gnomon/errors.h"
 
 namespace gnomon {
 namespace {

@@ -6,11 +6,10 @@
 #include <numbers>
 
 #include "geometry/kernel.h"
-#include "geometry/scene/convex_parts.h"
-#include "geometry/scene/scene_reader.h"
-#include "geometry/spatial/position.h"
-#include "geometry/spatial/volume_mesh.h"
-#include "geometry/visibility/visibility.h"
+#include "gnomon/pair.h"
+#include "gnomon/scene.h"
+#include "gnomon/shadow_mesh.h"
+#include "gnomon/visibility.h"
 #include "tests/geometry/spatial/expected_region.h"
 
 // The volumes of every pair of the named hard positions: one ulp off degenerate ones, far away with fine detail,

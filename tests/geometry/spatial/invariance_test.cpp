@@ -11,8 +11,8 @@
 #include "apps/proof/laws/draw.h"
 #include "geometry/kernel.h"
 #include "geometry/spatial/polygon_checks.h"
-#include "geometry/spatial/position.h"
-#include "geometry/spatial/volume_mesh.h"
+#include "gnomon/pair.h"
+#include "gnomon/shadow_mesh.h"
 #include "tests/geometry/spatial/named_facets.h"
 
 // What becomes of the volumes of a pair when the pair is told or placed otherwise, for every kind of light and blocker

@@ -1,4 +1,4 @@
-#include "geometry/spatial/merged_occlusion.h"
+#include "gnomon/shadow_mesh.h"
 
 #include <CGAL/determinant.h>
 #include <gtest/gtest.h>
@@ -12,12 +12,13 @@
 #include "apps/proof/laws/any_pair.h"
 #include "apps/proof/laws/draw.h"
 #include "apps/proof/laws/exact.h"
-#include "geometry/errors.h"
 #include "geometry/rounding.h"
+#include "geometry/spatial/closed_surface.h"
 #include "geometry/spatial/pair_polyhedra.h"
-#include "geometry/spatial/position.h"
 #include "geometry/spatial/vertex_rounding.h"
-#include "geometry/visibility/visibility.h"
+#include "gnomon/errors.h"
+#include "gnomon/pair.h"
+#include "gnomon/visibility.h"
 
 namespace gnomon {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "geometry/errors.h"
+#include "gnomon/errors.h"
 
 namespace gnomon {
 namespace {
@@ -16,7 +16,7 @@ std::vector<HalfSpace> all_half_spaces(const Light& light, const ConvexBlocker& 
   if (!solid) return all;
   for (std::size_t f = 0; f < solid->facets().size(); ++f) {
     const auto at = [&](std::size_t k) { return solid->points()[solid->facets()[f].loop[k]]; };
-    all.push_back({{FacetKind::blocker_face, -1, static_cast<std::int32_t>(f)}, {at(0), at(1), at(2)}});
+    all.push_back({{FacetKind::blocker_face, {}, static_cast<std::uint32_t>(f)}, {at(0), at(1), at(2)}});
   }
   return all;
 }

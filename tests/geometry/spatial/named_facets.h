@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "geometry/spatial/volume_mesh.h"
+#include "gnomon/shadow_mesh.h"
 #include "tests/geometry/spatial/named_planes.h"
 
 namespace gnomon {

@@ -82,9 +82,10 @@ Vertices vertices_of(const ConvexBlocker& blocker) {
 }
 
 template <class Element, class Claim>
-std::int32_t lowest(const std::vector<Element>& elements, Claim claim) {
+std::optional<std::uint32_t> lowest(const std::vector<Element>& elements, Claim claim) {
   const auto found = std::find_if(elements.begin(), elements.end(), claim);
-  return found == elements.end() ? -1 : static_cast<std::int32_t>(found - elements.begin());
+  if (found == elements.end()) return std::nullopt;
+  return static_cast<std::uint32_t>(found - elements.begin());
 }
 
 }  // namespace

@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/spatial/convex_blocker.h"
-#include "geometry/spatial/light.h"
-#include "geometry/spatial/shadow_volume.h"
+#include "gnomon/blocker.h"
+#include "gnomon/light.h"
+#include "gnomon/shadow_volume.h"
 
 namespace gnomon {
 

@@ -1,4 +1,4 @@
-#include "geometry/spatial/plane_coefficients.h"
+#include "gnomon/shadow_volume.h"
 
 #include <gtest/gtest.h>
 
@@ -56,7 +56,7 @@ TEST(PlaneCoefficients, AreNegativeJustWhereTheHalfSpaceIs) {
 }
 
 TEST(PlaneCoefficients, AreCorrectlyRounded) {
-  const HalfSpace half_space{{FacetKind::blocker_face, -1, -1}, {Point3{0, 0, 0.1}, {1, 0, 0.1}, {0, 3, 0.1}}, false};
+  const HalfSpace half_space{{FacetKind::blocker_face}, {Point3{0, 0, 0.1}, {1, 0, 0.1}, {0, 3, 0.1}}, false};
   const auto [a, b, c, d] = plane_coefficients(half_space);
   EXPECT_EQ(a.exact, "0");
   EXPECT_EQ(c.exact, "3");
@@ -67,7 +67,7 @@ TEST(PlaneCoefficients, AreCorrectlyRounded) {
 TEST(PlaneCoefficientsDegenerate, OfHugeAndTinyPlanesAreMultipliedByOnePowerOfTwo) {
   for (const double size : {1e200, 1e307, 1e-200, 1e-300}) {
     const HalfSpace half_space{
-        {FacetKind::blocker_face, -1, -1}, {Point3{0, 0, size}, {size, 0, size}, {0, 3 * size, size}}, false};
+        {FacetKind::blocker_face}, {Point3{0, 0, size}, {size, 0, size}, {0, 3 * size, size}}, false};
     const auto [a, b, c, d] = plane_coefficients(half_space);
     EXPECT_EQ(a.exact, "0");
     EXPECT_TRUE(std::isnormal(c.nearest)) << size;

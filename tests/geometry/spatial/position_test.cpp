@@ -1,10 +1,10 @@
-#include "geometry/spatial/position.h"
+#include "gnomon/pair.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "geometry/errors.h"
+#include "gnomon/errors.h"
 
 namespace gnomon {
 namespace {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "geometry/spatial/shadow_volume.h"
-#include "geometry/spatial/volume_mesh.h"
-#include "geometry/visibility/visibility.h"
+#include "gnomon/shadow_mesh.h"
+#include "gnomon/shadow_volume.h"
+#include "gnomon/visibility.h"
 
 // Claims of the papers that fail outside standard position, each with the counterexample built: what the volumes say
 // and what points see.

@@ -1,4 +1,4 @@
-#include "geometry/spatial/shadow_volume.h"
+#include "gnomon/shadow_volume.h"
 
 #include <gtest/gtest.h>
 

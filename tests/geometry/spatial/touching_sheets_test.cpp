@@ -8,7 +8,7 @@
 #include <set>
 
 #include "apps/proof/laws/draw.h"
-#include "geometry/errors.h"
+#include "gnomon/errors.h"
 
 // Unions of unit cubes touch themselves in every way: along edges, round them, at vertices.
 

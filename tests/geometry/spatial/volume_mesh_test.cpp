@@ -1,4 +1,4 @@
-#include "geometry/spatial/volume_mesh.h"
+#include "gnomon/shadow_mesh.h"
 
 #include <CGAL/determinant.h>
 #include <gtest/gtest.h>
@@ -14,12 +14,12 @@
 #include "apps/proof/laws/draw.h"
 #include "apps/proof/laws/pair_generator.h"
 #include "apps/proof/laws/spatial_cases.h"
-#include "geometry/errors.h"
 #include "geometry/rounding.h"
 #include "geometry/spatial/difference_surface.h"
 #include "geometry/spatial/pair_polyhedra.h"
-#include "geometry/spatial/position.h"
 #include "geometry/spatial/vertex_rounding.h"
+#include "gnomon/errors.h"
+#include "gnomon/pair.h"
 
 namespace gnomon {
 namespace {

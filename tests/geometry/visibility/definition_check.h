@@ -4,7 +4,7 @@
 #include <string>
 
 #include "apps/proof/laws/sight_cases.h"
-#include "geometry/visibility/visibility.h"
+#include "gnomon/visibility.h"
 
 namespace gnomon {
 

@@ -9,7 +9,7 @@
 
 #include "apps/proof/laws/sight_cases.h"
 #include "geometry/visibility/exact_visible_part.h"
-#include "geometry/visibility/visibility.h"
+#include "gnomon/visibility.h"
 #include "tests/support/dice.h"
 
 namespace gnomon {

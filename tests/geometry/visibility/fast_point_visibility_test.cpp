@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "apps/proof/laws/sight_cases.h"
-#include "geometry/visibility/visibility.h"
+#include "gnomon/visibility.h"
 #include "tests/support/dice.h"
 
 namespace gnomon {

@@ -9,9 +9,8 @@
 #include <vector>
 
 #include "apps/proof/laws/definition.h"
-#include "geometry/scene/convex_parts.h"
 #include "geometry/scene/scene_points.h"
-#include "geometry/scene/scene_reader.h"
+#include "gnomon/scene.h"
 #include "tests/geometry/visibility/definition_check.h"
 
 // The scenes of tests/data/scenes/hard: degenerate positions of light and blockers, each also one ulp off; needles, far

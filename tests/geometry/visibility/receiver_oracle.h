@@ -2,8 +2,8 @@
 
 #include "apps/proof/laws/sight_cases.h"
 #include "geometry/kernel.h"
-#include "geometry/region.h"
 #include "geometry/visibility/receiver_front.h"
+#include "gnomon/names.h"
 
 namespace gnomon::test_support {
 

@@ -5,8 +5,7 @@
 
 #include "apps/proof/laws/draw.h"
 #include "geometry/rounding.h"
-#include "geometry/visibility/light_visibility.h"
-#include "geometry/visibility/resting_point.h"
+#include "gnomon/visibility.h"
 #include "tests/geometry/visibility/receiver_oracle.h"
 
 namespace gnomon {

@@ -4,7 +4,7 @@
 
 #include "apps/proof/laws/cone.h"
 #include "apps/proof/laws/exact.h"
-#include "geometry/visibility/visibility.h"
+#include "gnomon/visibility.h"
 
 // What the literature says and what is false: the counterexamples, by what points see.
 

@@ -8,9 +8,9 @@
 
 #include "apps/proof/laws/exact.h"
 #include "geometry/kernel.h"
-#include "geometry/region.h"
-#include "geometry/spatial/convex_blocker.h"
-#include "geometry/spatial/light.h"
+#include "gnomon/blocker.h"
+#include "gnomon/light.h"
+#include "gnomon/names.h"
 
 namespace gnomon::test_support {
 

@@ -6,7 +6,7 @@
 
 #include "apps/proof/laws/draw.h"
 #include "apps/proof/laws/sight_cases.h"
-#include "geometry/visibility/visibility.h"
+#include "gnomon/visibility.h"
 
 namespace gnomon {
 namespace {

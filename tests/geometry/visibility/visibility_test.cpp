@@ -1,4 +1,4 @@
-#include "geometry/visibility/visibility.h"
+#include "gnomon/visibility.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

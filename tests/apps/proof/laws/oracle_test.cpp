@@ -4,7 +4,7 @@
 #include "apps/proof/laws/definition.h"
 #include "apps/proof/laws/enumeration.h"
 #include "apps/proof/laws/sight.h"
-#include "geometry/errors.h"
+#include "gnomon/errors.h"
 
 namespace gnomon::laws {
 namespace {

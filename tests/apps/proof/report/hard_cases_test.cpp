@@ -9,7 +9,7 @@
 #include "apps/proof/report/divided_blockers.h"
 #include "apps/proof/report/pareto.h"
 #include "apps/proof/report/shapes.h"
-#include "geometry/visibility/visibility.h"
+#include "gnomon/visibility.h"
 
 namespace gnomon::report {
 namespace {

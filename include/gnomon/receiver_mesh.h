@@ -1,0 +1,158 @@
+#pragma once
+
+/// @file
+/// Receivers divided exactly by what they receive of a light: lit, penumbra, umbra.
+///
+///     #include <gnomon/receiver_mesh.h>
+///     int main() {
+///       using namespace gnomon;
+///       const Light lamp = AreaLight{ConvexPolygon::from_points({{0, 0, 4}, {0, 1, 4}, {1, 0, 4}})};
+///       const ConvexBlocker board = ConvexPolygon::from_points({{-1, -1, 2}, {2, -1, 2}, {0, 2, 2}});
+///       const ConvexPolygon floor = ConvexPolygon::from_points({{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}});
+///       const ReceiverMesh mesh = receiver_division(lamp, {&board, 1}, {&floor, 1}).front();
+///       return mesh.area().exact == "162" && mesh.regions().size() == 3 ? 0 : 1;
+///     }
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "gnomon/blocker.h"
+#include "gnomon/convex_polygon.h"
+#include "gnomon/discontinuity.h"
+#include "gnomon/light.h"
+#include "gnomon/point.h"
+
+namespace gnomon {
+
+/// What a face of a receiver receives of a light. The numbers are those of the `region` arrays in output files.
+enum class ReceiverRegion : std::uint8_t {
+  lit = 0,
+  penumbra = 1,
+  umbra = 2,
+  unlit = 3,
+  unresolved_eee = 4,  ///< three edges in line may close the last gap in the face: penumbra and umbra could both occur
+};
+
+inline constexpr std::size_t receiver_region_count = 5;
+
+constexpr std::string_view name(ReceiverRegion region) {
+  constexpr std::string_view names[] = {"lit", "penumbra", "umbra", "unlit", "unresolved_eee"};
+  return names[static_cast<int>(region)];
+}
+
+/// An edge as it is met when a face's boundary is walked along: 2 * edge forward, 2 * edge + 1 backward.
+using MeshEdgeUse = std::uint32_t;
+
+/// An open segment between two faces, or inside of one.
+struct MeshEdge {
+  static constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
+
+  std::uint32_t source = 0;
+  std::uint32_t target = 0;
+  std::uint32_t left = nowhere;      ///< the face on the left, seen from the front; `nowhere` beyond the border
+  std::uint32_t right = nowhere;     ///< the face on the right
+  std::vector<std::uint32_t> names;  ///< the events that run along it: indices into ReceiverMesh::names()
+};
+
+/// A face that no event crosses but triple-edge ones.
+struct MeshFace {
+  ReceiverRegion region = ReceiverRegion::lit;
+  std::vector<std::vector<MeshEdgeUse>> cycles;  ///< the face on the left; the outer cycle first, then holes
+};
+
+/// A part of a face.
+struct ReceiverTriangle {
+  std::array<std::uint32_t, 3> vertices{};
+  std::uint32_t face = 0;
+};
+
+/// Connected faces of one region.
+struct RegionPolygon {
+  ReceiverRegion region = ReceiverRegion::lit;
+  std::vector<std::uint32_t> faces;
+  std::vector<std::vector<MeshEdgeUse>> cycles;  ///< the region on the left; the outer cycle first, then holes
+};
+
+/// An area: rounded, and exactly where it is rational.
+struct RegionArea {
+  double nearest = 0;  ///< nearest double where `exact` is given, else off by at most an ulp
+  std::optional<std::string> exact;
+};
+
+/// A receiver, divided by all discontinuities of what it receives of one light.
+///
+/// Definition: the faces between the traces of all events of theory section 6 but the triple-edge ones, and the
+///             receiver's border. Of a point on the receiver the limit from its front is meant, and of the light what
+///             lies strictly before the receiver's plane: unlit where nothing does, or where the light shows its back
+///             or its edge; else lit, penumbra or umbra by how much of that is hidden. See docs/receivers.md.
+/// Exactness:  the structure, the labels and the areas are exact; coordinates are rounded once, when they leave.
+/// After:      [P93] §4.4.3, complete EV discontinuity meshing as of Heckbert and of Lischinski et al.
+class ReceiverMesh {
+ public:
+  /// Rounded to nearest.
+  std::vector<Point3> vertices() const;
+  std::size_t vertex_count() const;
+  const std::vector<MeshEdge>& edges() const;
+  const std::vector<MeshFace>& faces() const;
+  const std::vector<EventName>& names() const;
+
+  /// The faces in triangles between their own vertices, which run counterclockwise seen from the front.
+  std::vector<ReceiverTriangle> triangles() const;
+
+  /// Connected components of equal region.
+  std::vector<RegionPolygon> regions() const;
+
+  /// The area of each region, in the order of ReceiverRegion, and of the whole receiver.
+  std::array<RegionArea, receiver_region_count> areas() const;
+  RegionArea area() const;
+
+  /// True if the areas of all regions sum up to the receiver's exactly. (They do; it is for tests.)
+  bool areas_add_up() const;
+
+  struct Data;
+  explicit ReceiverMesh(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
+  const Data& data() const { return *data_; }
+
+ private:
+  std::shared_ptr<const Data> data_;
+};
+
+/// Receivers, ready to be divided by what they receive of one light behind all blockers.
+///
+/// Events are found and traced for all receivers together; any number of threads may ask for meshes then. What is found
+/// does not depend on the number of threads.
+class ReceiverDivision {
+ public:
+  /// Requires: flat receivers; a flat area light; coordinates in range (event_range.h).
+  /// Throws:   PreconditionError.
+  /// Cost:     events are found by searching hierarchies, and traced where they reach a receiver, by that many threads.
+  ReceiverDivision(const Light& light, std::span<const ConvexBlocker> blockers,
+                   std::span<const ConvexPolygon> receivers, unsigned threads = 1);
+
+  std::size_t size() const;
+
+  /// The receiver of that index, divided; its faces are labelled by that many threads.
+  ReceiverMesh mesh(std::uint32_t receiver, unsigned threads = 1) const;
+
+  /// The visible fraction at each vertex of its mesh, as visible_fraction(VisiblePart) rounds it: the measure of what
+  /// is seen of the light before the receiver's plane, as a share of that of all of the light.
+  /// Definition: of a vertex on a discontinuity of order 0 one of the limits is meant.
+  std::vector<double> visible_fractions(std::uint32_t receiver, const ReceiverMesh& mesh, unsigned threads = 1) const;
+
+  struct Data;
+
+ private:
+  std::shared_ptr<const Data> data_;
+};
+
+/// The meshes of all receivers at once, nothing kept.
+std::vector<ReceiverMesh> receiver_division(const Light& light, std::span<const ConvexBlocker> blockers,
+                                            std::span<const ConvexPolygon> receivers);
+
+}  // namespace gnomon

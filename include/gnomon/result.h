@@ -1,0 +1,111 @@
+#pragma once
+
+/// @file
+/// A scene and its shadows, ready to be written and drawn.
+///
+///     #include <gnomon/result.h>
+///     int main() {
+///       using namespace gnomon;
+///       const Scene scene = parse_scene(default_scene_text(), "default", ".");
+///       const ConvexBlocker board = convex_parts(scene.blockers.front()).front().shape;
+///       PairResult pair;
+///       pair.volumes = shadow_volumes(scene.lights.front().shape, board);
+///       const ShadowResult result{&scene, default_clip_box(scene).value(), {pair}};
+///       return result.pairs.front().volumes.occlusion_facts.empty ? 1 : 0;
+///     }
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gnomon/flatland_partition.h"
+#include "gnomon/flatland_regions.h"
+#include "gnomon/pair.h"
+#include "gnomon/point.h"
+#include "gnomon/receiver_mesh.h"
+#include "gnomon/scene.h"
+#include "gnomon/shadow_mesh.h"
+#include "gnomon/shadow_volume.h"
+
+namespace gnomon {
+
+/// What one light and one convex blocker of a scene give.
+struct PairResult {
+  std::uint32_t light_id = 0;    ///< index into Scene::lights
+  std::uint32_t blocker_id = 0;  ///< index into Scene::blockers
+  std::string light;
+  std::string blocker;  ///< a part of a larger blocker is named `vase#12`
+  Position position = Position::standard;
+  bool supported = false;  ///< false: `volumes` and `meshes` are not there
+  bool is_solid = false;   ///< the blocker has an inside, and the umbra may have pockets outside of it
+  ShadowVolumes volumes;
+  ShadowMeshes meshes;
+};
+
+/// What one light and one segment of a scene of dimension 2 give. Every position is supported.
+struct PlanarPairResult {
+  std::uint32_t light_id = 0;    ///< index into Scene::planar_lights
+  std::uint32_t blocker_id = 0;  ///< index into Scene::planar_blockers
+  std::string light;
+  std::string blocker;  ///< part k of a polyline is named `fence#k`
+  Position position = Position::standard;
+  planar::ShadowRegions regions;
+  planar::ShadowRegionsInBox in_box;
+};
+
+/// What one light of a scene of dimension 2 gives behind all segments asked for together.
+struct PlanarLightResult {
+  std::uint32_t light_id = 0;  ///< index into Scene::planar_lights
+  std::string light;
+  std::vector<std::string> blockers;       ///< names of the segments, in the partition's order
+  std::vector<std::uint32_t> blocker_ids;  ///< of the same: indices into Scene::planar_blockers
+  planar::Partition partition;             ///< of the clip box
+  planar::PartitionInBox in_box;
+};
+
+/// The occlusion volumes of one light and all parts of one blocker as one.
+struct MergedResult {
+  std::uint32_t light_id = 0;    ///< index into Scene::lights
+  std::uint32_t blocker_id = 0;  ///< index into Scene::blockers
+  std::string light;
+  std::string blocker;  ///< the whole one
+  MergedOcclusion occlusion;
+};
+
+/// What one receiver, a flat piece of a receiver of the file, receives of one light behind all blockers together.
+struct ReceiverResult {
+  std::uint32_t light_id = 0;     ///< index into Scene::lights
+  std::uint32_t receiver_id = 0;  ///< index into Scene::receivers
+  std::string light;
+  std::string receiver;
+  ReceiverMesh mesh;
+  std::vector<double> visible_fractions = {};  ///< of each vertex, if it was asked for
+  std::string side = receiver;                 ///< the receiver, or its side, that the piece belongs to
+};
+
+/// The pieces of one side of a receiver, one after the other, that receive of one light.
+using SideResult = std::span<const ReceiverResult>;
+
+/// The results, side by side in their order.
+std::vector<SideResult> sides_of(std::span<const ReceiverResult> receivers);
+
+/// The areas of a side's regions, summed up over its pieces.
+std::array<RegionArea, receiver_region_count> areas_of(SideResult side);
+
+/// A scene and its shadows, ready to be written and drawn.
+struct ShadowResult {
+  const Scene* scene = nullptr;  ///< never null when used; outlives the result
+  Box3 clip_box;                 ///< the box by which the meshes are cut; in dimension 2, z runs from 0 to 0
+  std::vector<PairResult> pairs;
+  std::vector<PlanarPairResult> planar_pairs = {};  ///< dimension 2, where `pairs` is empty
+  /// Dimension 2: the lights that are behind more than one segment.
+  std::vector<PlanarLightResult> planar_lights = {};
+  std::vector<MergedResult> merged = {};  ///< dimension 3: blockers of several parts, if asked for
+  /// Dimension 3: receivers divided by what they receive of a light, where that is supported. Light by light.
+  std::vector<ReceiverResult> receivers = {};
+};
+
+}  // namespace gnomon

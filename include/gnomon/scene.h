@@ -1,0 +1,179 @@
+#pragma once
+
+/// @file
+/// Scene files: lights, blockers and receivers with names.
+///
+///     #include <gnomon/scene.h>
+///     int main() {
+///       const gnomon::Scene scene = gnomon::parse_scene(gnomon::default_scene_text(), "default", ".");
+///       const auto parts = gnomon::convex_parts(scene.blockers.front());
+///       return scene.lights.size() == 1 && parts.size() == 1 && gnomon::default_clip_box(scene) ? 0 : 1;
+///     }
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "gnomon/blocker.h"
+#include "gnomon/convex_polygon.h"
+#include "gnomon/flatland.h"
+#include "gnomon/light.h"
+#include "gnomon/point.h"
+#include "gnomon/visibility.h"
+
+namespace gnomon {
+
+/// A light of space with its name. `strength` is radiance [W/(m² sr)], intensity per length [W/(sr m)], intensity
+/// [W/sr] or irradiance [W/m²] for polygon, segment, point and direction.
+struct SceneLight {
+  std::string name;
+  Light shape;
+  double strength = 1;
+};
+
+/// The convex hull of points: at least 4, not coplanar.
+struct Polytope {
+  std::vector<Point3> vertices;
+};
+
+/// A polygon that is taken as several convex parts: one that is not convex, has holes, or is bent (see Flatness).
+struct ConcavePolygon {
+  std::vector<Point3> vertices;  ///< of all rings, one after the other
+  /// Indices of vertices: the outer ring, then the holes. None: one ring of all vertices.
+  std::vector<std::vector<std::uint32_t>> rings = {};
+  std::string shape = "concave_polygon";  ///< as the scene file calls it
+};
+
+/// A triangle or polygon mesh read from a file beside the scene.
+struct Mesh {
+  std::string file;  ///< as written in the scene
+  std::vector<Point3> vertices;
+  std::vector<std::vector<std::uint32_t>> facets;  ///< rings, with seams where a facet has holes
+  bool closed = false;                             ///< every edge in exactly two facets, in opposite directions
+  /// Of each facet, its number in the file, from 0; none if every facet of the file is here.
+  std::vector<std::uint32_t> facet_numbers = {};
+  /// Closed and, but for dents no deeper than this, the surface of the hull of its vertices: see deviation_from_convex.
+  std::optional<double> dents = {};
+};
+
+using BlockerShape = std::variant<ConvexPolygon, Polytope, ConcavePolygon, Mesh>;
+
+struct SceneBlocker {
+  std::string name;
+  BlockerShape shape;
+};
+
+/// A flat convex piece of a receiver of the file; it receives from its front. See receiver_facets.
+struct SceneReceiver {
+  std::string name;  ///< of the piece: `floor`, `vase#12`, `vase/back#12`
+  ConvexPolygon shape;
+  std::string side = name;     ///< the receiver, or its side, that results are about: `vase`, `vase/back`
+  std::string element = name;  ///< the receiver of the file: `vase`
+
+  /// True if the piece, its side or the receiver of the file is called so.
+  bool is_called(const std::string& asked) const { return asked == name || asked == side || asked == element; }
+};
+
+/// Lights, blockers and receivers of the plane (`dimension` 2).
+struct PlanarLight {
+  std::string name;
+  std::vector<Point2> vertices;  ///< one: a point light; two: a linear light
+  double strength = 1;
+};
+
+struct PlanarBlocker {
+  std::string name;
+  std::vector<Point2> vertices;  ///< two: a segment; more: a polyline of consecutive segments
+};
+
+/// The axis that points up in pictures; nothing else asks for it.
+enum class UpAxis { z, y };
+
+/// A checked scene file. In dimension 3 the spatial lists are filled, in dimension 2 the planar ones.
+struct Scene {
+  std::string source;  ///< the file as the user named it, or "default" for the embedded scene
+  int dimension = 3;
+  std::string length_unit = "m";  ///< the name of one of length_units
+  std::vector<SceneLight> lights;
+  std::vector<SceneBlocker> blockers;
+  std::vector<SceneReceiver> receivers;
+  std::vector<PlanarLight> planar_lights;
+  std::vector<PlanarBlocker> planar_blockers;
+  std::vector<PlanarBlocker> planar_receivers;
+  std::vector<std::string> doubts;  ///< accepted, but worth a word: one sentence each, as `gnomon check` prints them
+  UpAxis up = UpAxis::z;            ///< in pictures of space
+};
+
+/// The box by which unbounded volumes are cut unless the user gives one: the bounding box of everything in the scene,
+/// receivers included, grown on every side by half its diagonal. Computed in doubles; exact from there on.
+/// Nothing if a coordinate or the diagonal overflows or the box has no interior. In dimension 2, z runs from 0 to 0.
+std::optional<Box3> default_clip_box(const Scene& scene);
+
+/// A scene file that cannot be read. what() is the whole message for the user: file, JSON pointer (or line and
+/// column where the text is no JSON), element name if it has one, what was found, what was expected.
+class SceneError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A scene file that makes sense, but asks for what this version cannot do.
+class UnsupportedSceneError : public SceneError {
+ public:
+  using SceneError::SceneError;
+};
+
+/// Reads and checks a scene file.
+///
+/// Throws: SceneError for everything that is wrong with the file; nothing else.
+Scene read_scene(const std::filesystem::path& file);
+
+/// Reads and checks a scene from text. `source` names it in messages; mesh files are looked up in `folder`.
+///
+/// Throws: SceneError.
+Scene parse_scene(std::string_view text, const std::string& source, const std::filesystem::path& folder);
+
+/// The scene that is built into the program: [P93] Figure 4.22, a triangular light above a rectangular blocker, with
+/// a floor.
+std::string_view default_scene_text();
+
+/// What parts are made for. A convex mesh with dents, as rounding makes them, is the hull of its vertices for volumes;
+/// for points it is what it is, so that points on its facets do not come to lie inside of it.
+enum class PartsFor { points, volumes };
+
+/// A convex piece of a blocker.
+struct ConvexPart {
+  std::string name;
+  ConvexBlocker shape;
+  std::vector<std::uint32_t> vertices;  ///< of each point of `shape`, its index among the blocker's vertices
+};
+
+/// The convex pieces whose union is the blocker.
+///
+/// Definition: a polygon is itself, or, rounded, the solid between its vertices; a polytope is its hull. A concave
+///             polygon `board`, one with holes or a bent one is cut along diagonals between its own vertices into
+///             `board#0`, `board#1`, ...: see convex_partition. Facet 12 of a mesh `vase` is `vase#12`, and if it is no
+///             convex polygon `vase#12#0`, `vase#12#1`, ... Rounded pieces are solids. A convex closed mesh is one
+///             solid, `vase`, one with dents for volumes only. Another closed mesh consists of its facets here; what it
+///             encloses, enclosed_space tells.
+/// Returns:    at least one part; in the order of the names.
+/// Requires:   a blocker as scene files hold it: see BlockerShape.
+/// Exactness:  no vertex is constructed; convexity is decided by exact signs.
+/// Cost:       O(n log n) for most, O(n²) for the worst concave polygons.
+std::vector<ConvexPart> convex_parts(const SceneBlocker& blocker, PartsFor use = PartsFor::points);
+
+/// The surface that a closed mesh is which is no solid, in triangles between its own vertices; nothing for other
+/// blockers.
+std::optional<ClosedSurface> enclosed_space(const SceneBlocker& blocker);
+
+/// All blockers of a scene of space, part by part.
+Obstacles obstacles_of(const Scene& scene);
+
+/// What points of a scene of the plane see of one of its lights.
+planar::Sight planar_sight(const Scene& scene, const PlanarLight& light);
+
+}  // namespace gnomon
