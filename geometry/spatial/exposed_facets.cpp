@@ -2,21 +2,18 @@
 
 #include <map>
 #include <optional>
-#include <type_traits>
 #include <utility>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Polygon_set_2.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include "geometry/spatial/convex_difference.h"
 
 namespace gnomon {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-using Polygon = CGAL::Polygon_2<Kernel>;
-using PolygonSet = CGAL::Polygon_set_2<Kernel>;
+using Kernel = ExactKernel;
 using Loop3 = std::vector<Kernel::Point_3>;
 
 Kernel::FT number(const Rational& value) {
@@ -107,8 +104,8 @@ Kernel::Point_2 projected(const Axes& axes, const Kernel::Point_3& p) {
   return {p[static_cast<int>(axes.first)], p[static_cast<int>(axes.second)]};
 }
 
-Polygon projected(const Axes& axes, const Loop3& loop) {
-  Polygon polygon;
+ConvexLoop projected(const Axes& axes, const Loop3& loop) {
+  ConvexLoop polygon;
   for (const Kernel::Point_3& p : loop) polygon.push_back(projected(axes, p));
   return polygon;
 }
@@ -142,28 +139,15 @@ ExposedFacets::~ExposedFacets() = default;
 std::vector<ExactEdge> ExposedFacets::edges(std::size_t polyhedron, std::size_t facet_index) const {
   const Facet& facet = state_->polyhedra[polyhedron][facet_index];
   const Axes frame = axes(facet.coefficients);
-  std::vector<Polygon> hidden;
+  std::vector<ConvexLoop> hidden;
   for (std::size_t j = 0; j < state_->polyhedra.size(); ++j) {
     if (j == polyhedron || state_->polyhedra[j].empty()) continue;
     const Loop3 loop = hidden_part(facet, state_->polyhedra[j], j < polyhedron);
     if (!loop.empty()) hidden.push_back(projected(frame, loop));
   }
-  PolygonSet left(projected(frame, facet.loop));
-  PolygonSet taken;
-  taken.join(hidden.begin(), hidden.end());
-  left.difference(taken);
   std::vector<ExactEdge> result;
-  const auto add = [&](const Polygon& boundary) {
-    for (auto edge = boundary.edges_begin(); edge != boundary.edges_end(); ++edge) {
-      result.push_back(
-          {lifted(facet.coefficients, frame, edge->source()), lifted(facet.coefficients, frame, edge->target())});
-    }
-  };
-  std::vector<CGAL::Polygon_with_holes_2<Kernel>> regions;
-  left.polygons_with_holes(std::back_inserter(regions));
-  for (const auto& region : regions) {
-    add(region.outer_boundary());
-    for (auto hole = region.holes_begin(); hole != region.holes_end(); ++hole) add(*hole);
+  for (const auto& [from, to] : convex_difference(projected(frame, facet.loop), hidden)) {
+    result.push_back({lifted(facet.coefficients, frame, from), lifted(facet.coefficients, frame, to)});
   }
   return result;
 }

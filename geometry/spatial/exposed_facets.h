@@ -31,7 +31,7 @@ class ExposedFacets {
   /// the first one keeps what is common; with opposite outsides both lose it.
   ///
   /// Orientation: seen from outside, what is left lies on the left of each edge.
-  /// Exactness:   filtered exact signs; united by CGAL's polygon sets in exact arithmetic.
+  /// Exactness:   filtered exact signs.
   std::vector<ExactEdge> edges(std::size_t polyhedron, std::size_t facet) const;
 
  private:
