@@ -18,7 +18,7 @@ install(FILES viz/gnomon_reader.py DESTINATION ${CMAKE_INSTALL_DATADIR}/gnomon/p
 # Pages link to each other and to the examples as they lie in the sources.
 set(gnomon_example_files FILES_MATCHING PATTERN "*.scene.json" PATTERN "*.csv" PATTERN "*.stl" PATTERN "*.license")
 install(DIRECTORY examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/gnomon/examples ${gnomon_example_files})
-install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.cpp" PATTERN "*.license")
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} ${gnomon_example_files} PATTERN "*.cpp")
 install(FILES README.md CHANGELOG.md CITATION.cff CONTRIBUTING.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES geometry/references.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/geometry)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR}

@@ -246,7 +246,7 @@ void add_light(Items& items, const PictureScene& scene, const PictureBlock& ligh
   } else if (light.data->GetNumberOfLines() > 0) {
     items.push_back({name, rod(light.data, 0.006 * scene.size), look, "light", mark});
   } else {
-    items.push_back({name, ball(points_of(*light.data).front(), 0.012 * scene.size), look, "light", mark});
+    items.push_back({name, ball(points_of(*light.data).front(), ball_radius * scene.size), look, "light", mark});
   }
 }
 

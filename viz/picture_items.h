@@ -9,6 +9,9 @@
 
 namespace gnomon::viz {
 
+/// Of the ball that stands for a point, as a share of the scene's size.
+inline constexpr double ball_radius = 0.012;
+
 /// How a surface or line looks.
 struct Look {
   Color color;

@@ -40,8 +40,14 @@ std::vector<Point3> places_on(const std::vector<Polygon>& cells, const Point3& v
   return places;
 }
 
-std::vector<Point3> places_on(vtkPolyData& element, const Point3& viewer) {
+/// A point is drawn as a ball: the place before it that the viewer sees.
+Point3 place_before(const Point3& point, const Point3& viewer, double scene_size) {
+  return point + 1.1 * ball_radius * scene_size * unit(viewer - point);
+}
+
+std::vector<Point3> places_on(vtkPolyData& element, const Point3& viewer, double scene_size) {
   const std::vector<Polygon> cells = polygons_of(element);
+  if (cells.empty()) return {place_before(points_of(element).front(), viewer, scene_size)};
   if (cells.size() == 1 && cells.front().size() > 2) return places_on(cells.front());
   if (element.GetNumberOfPolys() > 0) return places_on(cells, viewer);
   std::vector<Point3> places;
@@ -70,14 +76,14 @@ std::vector<PictureLabel> picture_labels(const PictureScene& scene, const Point3
   std::vector<PictureLabel> labels;
   for (const PictureBlock& light : scene.lights) {
     const std::string& name = light.path.back();
-    labels.push_back({name, places_on(*light.data, viewer), "light", light_mark(scene, name)});
+    labels.push_back({name, places_on(*light.data, viewer, scene.size), "light", light_mark(scene, name)});
   }
   for (const PictureSun& sun : scene.suns) {
     labels.push_back({sun.name, {}, "light", light_mark(scene, sun.name), {}, true});
   }
   if (scene.blockers.size() <= most_names) {
     for (const PictureBlock& blocker : scene.blockers) {
-      labels.push_back({blocker.path.back(), places_on(*blocker.data, viewer), "blocker"});
+      labels.push_back({blocker.path.back(), places_on(*blocker.data, viewer, scene.size), "blocker"});
     }
   }
   if (scene.receivers.size() > most_names) return labels;

@@ -217,7 +217,6 @@ def set_camera(view, up):
     view.CameraPosition = toward
     view.CameraViewUp = [0.0, float(up == "y"), float(up == "z")]
     simple.ResetCamera(view)
-    view.GetActiveCamera().Zoom(1.2)
 
 
 def new_view(edge):

@@ -72,7 +72,12 @@ std::string unexpected_text(const CLI::App& app) {
     for (const std::string& name : known->get_lnames()) names.push_back("--" + name);
   }
   const std::vector<std::string_view> candidates(names.begin(), names.end());
-  return "unknown option '" + *option + "'; the nearest is '" + std::string(nearest_word(*option, candidates)) + "'";
+  return "unknown option '" + *option + "'" + nearest_text(*option, candidates);
+}
+
+bool has_unknown_option(const CLI::App& app) {
+  const std::vector<std::string> words = app.remaining();
+  return std::any_of(words.begin(), words.end(), [](const std::string& word) { return word.starts_with("--"); });
 }
 
 }  // namespace
@@ -122,6 +127,7 @@ bool CommandLine::parse(Arguments arguments) {
   } catch (const CLI::ExtrasError&) {
     throw UsageError(unexpected_text(*app_));
   } catch (const CLI::ParseError& error) {
+    if (has_unknown_option(*app_)) throw UsageError(unexpected_text(*app_));
     throw UsageError(error.what());
   }
   return true;
@@ -214,9 +220,11 @@ double finite_value(const std::string& option, const std::string& text, const st
   throw UsageError(option + ' ' + text + ": expected " + expected);
 }
 
-std::string_view nearest_word(std::string_view word, std::span<const std::string_view> candidates) {
-  return *std::min_element(candidates.begin(), candidates.end(),
-                           [word](auto a, auto b) { return edit_distance(word, a) < edit_distance(word, b); });
+std::string nearest_text(std::string_view word, std::span<const std::string_view> candidates) {
+  const auto distance = [word](std::string_view candidate) { return edit_distance(word, candidate); };
+  const std::string_view nearest = *std::ranges::min_element(candidates, {}, distance);
+  const std::size_t letters = std::max(word.size(), nearest.size()) - (word.starts_with("--") ? 2 : 0);
+  return 3 * distance(nearest) > letters ? "" : "; the nearest is '" + std::string(nearest) + "'";
 }
 
 }  // namespace gnomon

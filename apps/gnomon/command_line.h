@@ -103,9 +103,10 @@ std::array<std::uint32_t, N> whole_numbers(const std::string& option, const std:
 /// Throws: UsageError for another text.
 double finite_value(const std::string& option, const std::string& text, const std::string& expected);
 
-/// The candidate that differs from `word` by the fewest letters.
+/// "; the nearest is 'WORD'" with the candidate that differs from the word by the fewest letters, dashes in front
+/// apart; nothing if these are more than a third.
 ///
 /// Requires: at least one candidate.
-std::string_view nearest_word(std::string_view word, std::span<const std::string_view> candidates);
+std::string nearest_text(std::string_view word, std::span<const std::string_view> candidates);
 
 }  // namespace gnomon

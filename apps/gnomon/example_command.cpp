@@ -49,8 +49,8 @@ std::string file_of(const std::string& name, const fs::path& folder) {
   const std::string wanted = is_written_out ? name.substr(0, name.size() - scene_ending.size()) : name;
   if (std::find(names.begin(), names.end(), wanted) == names.end()) {
     const std::vector<std::string_view> words(names.begin(), names.end());
-    throw UsageError("there is no example '" + name + "'; the nearest is '" + std::string(nearest_word(wanted, words)) +
-                     "', and 'gnomon example' lists them all");
+    throw UsageError("there is no example '" + name + "'" + nearest_text(wanted, words) +
+                     "; 'gnomon example' lists them all");
   }
   std::error_code ignored;
   return fs::is_regular_file(folder / wanted, ignored) ? wanted : wanted + std::string(scene_ending);

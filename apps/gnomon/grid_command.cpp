@@ -27,7 +27,8 @@ struct GridOptions : CommonOptions {
 
 void add_options(CommandLine& app, GridOptions& options) {
   add_required_text(app, "SCENE", options.scene, "FILE", "Scene file");
-  add_required_text(app, "--shape", options.shape, "nx,ny,nz", "Number of points along x, y and z");
+  add_required_text(app, "--shape", options.shape, "nx,ny,nz",
+                    "Number of points along x, y and z; in scenes of dimension 2 nz is 1");
   add_text(app, "--box", options.box, "xmin,ymin,zmin,xmax,ymax,zmax",
            "The grid runs from corner to corner of this box (default: the scene's, grown by half its diagonal); a\n"
            "single point along an axis lies in the middle");

@@ -70,7 +70,7 @@ std::string IrradianceSummaries::text() const {
   if (sum.count() == 0) return "0 points\n";
   std::vector<TextRow> rows{{"light", "mean", "least", "largest"}};
   for (std::size_t l = 0; l < lights.size(); ++l) rows.push_back(summary_row(names[l], lights[l]));
-  if (lights.size() != 1) rows.push_back(summary_row("all together", sum));
+  if (lights.size() != 1) rows.push_back(summary_row("all", sum));
   return counted(sum.count(), "point") + ", irradiance in W/m^2\n" + aligned(rows, 2);
 }
 

@@ -67,8 +67,7 @@ ExitCode refuse(const ProgramText& program, const std::string& word) {
   const std::vector<std::string_view> names = command_names(program);
   std::string list;
   for (const std::string_view name : names) list += (list.empty() ? "" : ", ") + std::string(name);
-  throw UsageError("there is no command '" + word + "'; the nearest is '" + std::string(nearest_word(word, names)) +
-                   "', the commands are " + list);
+  throw UsageError("there is no command '" + word + "'" + nearest_text(word, names) + "; the commands are " + list);
 }
 
 ExitCode run(const ProgramText& program, Arguments words) {

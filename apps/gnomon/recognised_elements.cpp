@@ -82,7 +82,7 @@ RecognisedElement recognised(ReceiverGroup receiver) {
   const std::size_t facets = receiver.size() / sides;
   RecognisedElement element;
   element.name = receiver.front().element;
-  element.shape = facets == 1 ? "polygon" : "mesh";
+  element.shape = receiver.front().form;
   if (facets == 1) element.vertices = receiver.front().shape.points().size();
   if (facets > 1) element.facets = facets;
   if (sides == 2) element.two_sided = true;

@@ -53,7 +53,8 @@ void add_options(CommandLine& app, RenderOptions& options) {
   add_text(app, "--receiver", options.receiver, "NAME", "Draw this receiver only");
   app.add_flag("--volumes", options.volumes, "Also draw volumes of blockers that are several convex parts");
   app.add_flag("--no-legend", options.without_legend, "Leave the legend out");
-  app.add_flag("--no-labels", options.without_labels, "Leave the names at lights, blockers, receivers and lines out");
+  app.add_flag("--no-labels", options.without_labels,
+               "Leave names out: in space those of lights, blockers and receivers, in the plane those of lines");
   add_pair_options(app, options);
   app.footer(
       "A picture shows one light, the first unless --light names another; on a page all can be chosen. Receivers have\n"
@@ -168,7 +169,7 @@ ExitCode render_folder(const RenderOptions& options, const PictureOptions& pictu
   }
   if (std::error_code error; !fs::exists(fs::path(options.scene) / "manifest.json", error)) {
     throw SceneError(options.scene +
-                     ": the folder holds no manifest.json; expected a folder written by 'gnomon shadow'");
+                     ": the folder holds no manifest.json; expected a folder that a command of gnomon has written");
   }
   check_dimension(options, result_dimension(options.scene));
   require_names(options, result_names(options.scene));

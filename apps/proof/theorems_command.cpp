@@ -60,8 +60,7 @@ laws::Law law_called(std::string_view key, const std::vector<laws::Law>& laws) {
   if (found != laws.end()) return *found;
   const std::vector<std::string> keys = laws::all_keys();
   const std::vector<std::string_view> words(keys.begin(), keys.end());
-  throw UsageError("--only: there is no statement '" + std::string(key) + "'; the nearest is '" +
-                   std::string(nearest_word(key, words)) + "'");
+  throw UsageError("--only: there is no statement '" + std::string(key) + "'" + nearest_text(key, words));
 }
 
 /// The laws asked for, in the order of the theory, each once.
@@ -81,8 +80,7 @@ laws::Subject chosen_subject(const std::string& name) {
   for (const laws::Mutant& mutant : mutants) names.push_back(mutant.name);
   const auto found = std::ranges::find(mutants, name, &laws::Mutant::name);
   if (found != mutants.end()) return found->subject;
-  throw UsageError("--mutant: there is no mistake called '" + name + "'; the nearest is '" +
-                   std::string(nearest_word(name, names)) + "'");
+  throw UsageError("--mutant: there is no mistake called '" + name + "'" + nearest_text(name, names));
 }
 
 ExitCode print_matrix(const TheoremsOptions& options) {

@@ -68,39 +68,52 @@ void doubt_backs(const Scene& scene, std::vector<std::string>& doubts) {
   }
 }
 
+/// What stands against a light's reaching a facet, the worst first.
+enum class Reach { light_is_behind, light_turns_its_back, reaches };
+
 /// Whether something of a light lies strictly before a facet, and an area light shows it its face.
-struct MayReach {
+struct ReachOf {
   const ConvexPolygon& facet;
 
-  bool operator()(const PointLight& light) const { return is_before(light.position); }
-  bool operator()(const DirectionalLight& light) const {
+  Reach operator()(const PointLight& light) const { return reach(is_before(light.position)); }
+  Reach operator()(const DirectionalLight& light) const {
     const Point3& d = light.direction;
-    return exact_direction_side(corner(0), corner(1), corner(2), {-d.x, -d.y, -d.z}) > 0;
+    return reach(exact_direction_side(corner(0), corner(1), corner(2), {-d.x, -d.y, -d.z}) > 0);
   }
-  bool operator()(const LinearLight& light) const { return is_before(light.start) || is_before(light.end); }
-  bool operator()(const AreaLight& light) const {
+  Reach operator()(const LinearLight& light) const { return reach(is_before(light.start) || is_before(light.end)); }
+  Reach operator()(const AreaLight& light) const {
     const std::span<const Point3> points = light.polygon.points();
-    if (std::none_of(points.begin(), points.end(), [&](const Point3& p) { return is_before(p); })) return false;
-    return light.two_sided || !light.polygon.is_flat() || reaches_front(facet.points(), light.polygon);
+    if (std::none_of(points.begin(), points.end(), [&](const Point3& p) { return is_before(p); })) return reach(false);
+    const bool shows_face = light.two_sided || !light.polygon.is_flat() || reaches_front(facet.points(), light.polygon);
+    return shows_face ? Reach::reaches : Reach::light_turns_its_back;
   }
 
+  static Reach reach(bool is_before) { return is_before ? Reach::reaches : Reach::light_is_behind; }
   const Point3& corner(std::size_t k) const { return facet.points()[facet.corners()[k]]; }
   bool is_before(const Point3& p) const { return exact_orientation(corner(0), corner(1), corner(2), p) > 0; }
 };
 
+std::string text_of_dark(Reach reach, bool two_sided) {
+  if (reach == Reach::light_turns_its_back) {
+    return ": no light shines on it; a polygon light before it turns its back, and shines to the side from which its "
+           "vertices run counterclockwise, to both with \"two_sided\": true";
+  }
+  if (two_sided) return ": no light shines on either side of it";
+  return ": it is turned from every light; a receiver receives from the side from which its vertices run "
+         "counterclockwise, from both with \"two_sided\": true";
+}
+
 /// Receivers of which no facet can receive anything. Of one with two sides one may well be dark.
 void doubt_dark_receivers(const Scene& scene, std::vector<std::string>& doubts) {
   if (scene.lights.empty()) return;
-  const auto may_be_lit = [&](const SceneReceiver& facet) {
-    return std::any_of(scene.lights.begin(), scene.lights.end(),
-                       [&](const SceneLight& light) { return std::visit(MayReach{facet.shape}, light.shape); });
-  };
   for (const ReceiverGroup receiver : receiver_elements(scene.receivers)) {
+    Reach most = Reach::light_is_behind;
+    for (const SceneReceiver& facet : receiver) {
+      for (const SceneLight& light : scene.lights) most = std::max(most, std::visit(ReachOf{facet.shape}, light.shape));
+    }
+    if (most == Reach::reaches) continue;
     const bool two_sided = receiver.front().side != receiver.back().side;
-    if (two_sided || std::any_of(receiver.begin(), receiver.end(), may_be_lit)) continue;
-    doubts.push_back(element_title("receivers", receiver.front().element) +
-                     ": it is turned from every light; a receiver receives from the side from which its vertices run "
-                     "counterclockwise, from both with \"two_sided\": true");
+    doubts.push_back(element_title("receivers", receiver.front().element) + text_of_dark(most, two_sided));
   }
 }
 

@@ -129,6 +129,7 @@ void read_spatial_receivers(const std::vector<SceneElement>& elements, const std
     const ReceiverSides sides = is_two_sided(element) ? ReceiverSides::both : ReceiverSides::front;
     const BlockerShape shape = read_shape(element, MeshUse::receiver, folder, scene);
     for (SceneReceiver& facet : receiver_facets(element.name, shape, sides)) {
+      facet.form = element.shape;
       scene.receivers.push_back(std::move(facet));
     }
   }

@@ -72,8 +72,9 @@ struct SceneBlocker {
 struct SceneReceiver {
   std::string name;  ///< of the piece: `floor`, `vase#12`, `vase/back#12`
   ConvexPolygon shape;
-  std::string side = name;     ///< the receiver, or its side, that results are about: `vase`, `vase/back`
-  std::string element = name;  ///< the receiver of the file: `vase`
+  std::string side = name;       ///< the receiver, or its side, that results are about: `vase`, `vase/back`
+  std::string element = name;    ///< the receiver of the file: `vase`
+  std::string form = "polygon";  ///< its shape there, in the file's word: polygon, polytope, concave_polygon, mesh
 
   /// True if the piece, its side or the receiver of the file is called so.
   bool is_called(const std::string& asked) const { return asked == name || asked == side || asked == element; }

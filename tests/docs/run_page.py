@@ -1,7 +1,7 @@
 """Does what a page tells its reader to do: run_page.py PAGE.md [EXAMPLES]
 
 In an empty folder, in the page's order: a code block that follows a line "`FILE`:" is saved as FILE, and a block of the
-language `sh` is run by a shell that stops at the first command that fails. EXAMPLES is linked there as `examples`.
+language `sh` is run by a shell that stops at the first command that fails. EXAMPLES and the folder of the page are linked there as `examples` and `docs`.
 """
 
 import os
@@ -33,6 +33,7 @@ def main(page, examples=None):
     with tempfile.TemporaryDirectory(prefix="gnomon-page-") as folder:
         if examples:
             os.symlink(examples, os.path.join(folder, "examples"))
+            os.symlink(os.path.dirname(os.path.abspath(page)), os.path.join(folder, "docs"))
         for block in blocks:
             if block["file"]:
                 save(folder, block["file"], block["text"])

@@ -161,6 +161,7 @@ TEST_F(Program, NamesTheNearestOfAnUnknownOption) {
   const Outcome run = gnomon("shadow --ouut folder");
   EXPECT_EQ(run.code, 2);
   EXPECT_THAT(run.err, testing::HasSubstr("unknown option '--ouut'; the nearest is '--out'"));
+  EXPECT_THAT(gnomon("regions --default-scene --on floor").err, testing::HasSubstr("unknown option '--on'\n"));
   EXPECT_THAT(gnomon("check a.scene.json b.scene.json").err, testing::HasSubstr("unexpected argument 'b.scene.json'"));
 }
 

@@ -91,6 +91,25 @@ TEST_F(ReceiverSides, CheckDoubtsReceiversThatAreTurnedFromEveryLight) {
   EXPECT_THAT(doubts[1], HasSubstr("receiver \"wall\": it is turned from every light"));
 }
 
+TEST_F(ReceiverSides, CheckTellsWhetherTheReceiverIsTurnedAwayOrTheLamp) {
+  write("back.scene.json", R"({"gnomon": 1, "dimension": 3,
+    "lights": [{"name": "lamp", "shape": "polygon", "vertices": [[0, 0, 4], [1, 0, 4], [0, 1, 4]]}],
+    "blockers": [{"name": "b", "shape": "polygon", "vertices": [[0, 0, 5], [1, 0, 5], [0, 1, 5]]}],
+    "receivers": [{"name": "floor", "shape": "polygon", "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]]},
+                  {"name": "pane", "shape": "polygon", "vertices": [[0, 0, 1], [1, 0, 1], [0, 1, 1]], "two_sided": true},
+                  {"name": "shelf", "shape": "polytope",
+                   "vertices": [[0, 0, 6], [1, 0, 6], [0, 1, 6], [0, 0, 7]]}]})");
+  const Outcome run = gnomon("check back.scene.json --json check.json");
+  ASSERT_EQ(run.code, 0);
+  EXPECT_THAT(run.out, testing::ContainsRegex("shelf +polytope"));
+  const json doubts = read_json("check.json")["doubts"];
+  ASSERT_EQ(doubts.size(), 2U);
+  EXPECT_THAT(doubts[0],
+              HasSubstr("receiver \"floor\": no light shines on it; a polygon light before it turns its back"));
+  EXPECT_THAT(doubts[1],
+              HasSubstr("receiver \"pane\": no light shines on it; a polygon light before it turns its back"));
+}
+
 TEST_F(ReceiverSides, AReceiverOfTwoSidesIsTwoByName) {
   write("pane.scene.json", R"({"gnomon": 1, "dimension": 3,
     "lights": [{"name": "bulb", "shape": "point", "position": [0, 0, 2], "intensity": 4}], "blockers": [],
