@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <span>
-#include <thread>
 #include <variant>
 
 #include "apps/gnomon/console.h"
@@ -97,8 +96,7 @@ ShadowResult computed_shadows(const Scene& scene, const std::vector<ScenePair>& 
   Progress progress("pair", pairs.size(), effort.shows_progress ? automatic : hidden);
   if (scene.dimension == 2) return computed_in_plane(scene, pairs, clip_box, progress);
   ShadowResult result{&scene, clip_box, std::vector<PairResult>(pairs.size())};
-  const unsigned threads = effort.threads ? effort.threads : std::max(1U, std::thread::hardware_concurrency());
-  for_all(pairs.size(), threads, [&](std::size_t i, std::size_t) {
+  for_all(pairs.size(), thread_count(effort.threads), [&](std::size_t i, std::size_t) {
     result.pairs[i] = computed(scene, pairs[i], clip_box);
     progress.step();
   });

@@ -14,6 +14,7 @@
 #include "apps/gnomon/scene_input.h"
 #include "apps/gnomon/shadow_summary.h"
 #include "apps/gnomon/text.h"
+#include "geometry/parallel.h"
 #include "gnomon/scene.h"
 #include "gnomon/writer.h"
 
@@ -50,11 +51,10 @@ std::vector<GridValues> grid_values(const PointGrid& grid, const RegionFinder& f
     values.push_back({finder.lights.size() > 1 ? '_' + light : "", std::vector<std::uint8_t>(grid.size()),
                       std::vector<double>(grid.size()), std::vector<double>(grid.size())});
   }
-  tbb::task_arena arena(arena_size(options.threads));
   Progress progress("point", grid.size(), progress_visibility(options.quiet, false));
-  for_all(grid.size(), arena, [&](std::size_t i) {
+  for_all(grid.size(), finder.threads, [&](std::size_t i, std::size_t worker) {
     const Point3 p = grid.point(i);
-    const std::vector<Visibility> seen = finder.at({p.x, p.y, p.z});
+    const std::vector<Visibility> seen = finder.at(worker, {p.x, p.y, p.z});
     for (std::size_t l = 0; l < seen.size(); ++l) {
       values[l].region[i] = static_cast<std::uint8_t>(seen[l].region);
       values[l].visible_fraction[i] = seen[l].fraction;
@@ -78,7 +78,7 @@ ExitCode grid_command(Arguments arguments) {
   require_place("--out", options.out, OutputKind::image);
   const std::array<std::uint32_t, 3> shape = whole_numbers<3>("--shape", options.shape, "nx,ny,nz");
   const Scene scene = scene_file_with_warnings(options.scene);
-  const RegionFinder finder = region_finder(scene, options.light);
+  const RegionFinder finder = region_finder(scene, options.light, options.threads);
   const Box3 box = clip_box(scene, options.box);
   const PointGrid grid = PointGrid::in_box(shape, box);
   if (!grid.has_distinct_points()) {

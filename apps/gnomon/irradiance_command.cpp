@@ -1,4 +1,3 @@
-#include <tbb/enumerable_thread_specific.h>
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -19,6 +18,7 @@
 #include "apps/gnomon/receiver_rows.h"
 #include "apps/gnomon/scene_input.h"
 #include "apps/gnomon/text.h"
+#include "geometry/parallel.h"
 #include "gnomon/irradiance.h"
 #include "gnomon/scene.h"
 #include "gnomon/visibility.h"
@@ -72,8 +72,8 @@ void add_options(CommandLine& app, IrradianceOptions& options) {
       "  gnomon irradiance examples/figure_4_22.scene.json --on floor --shape 9,9\n");
 }
 
-/// One set of lights per thread: each keeps memory for the next question.
-using LightsOfThreads = tbb::enumerable_thread_specific<std::vector<LightIrradiance>>;
+/// One set of lights for each worker: each keeps memory for the next question.
+using LightsOfWorkers = std::vector<std::vector<LightIrradiance>>;
 
 /// Where the rows come from.
 struct Receivers {
@@ -87,15 +87,15 @@ struct Receivers {
 
 std::vector<LitRow> lit_rows(const Receivers& receivers, std::vector<TableRow> batch,
                              const std::vector<const SceneLight*>& chosen, const LengthUnit& unit,
-                             LightsOfThreads& lights, tbb::task_arena& threads) {
+                             LightsOfWorkers& lights) {
   std::vector<LitRow> rows;
   for (TableRow& row : batch) rows.push_back({std::move(row), {}});
-  for_all(rows.size(), threads, [&](std::size_t i) {
+  for_all(rows.size(), static_cast<unsigned>(lights.size()), [&](std::size_t i, std::size_t worker) {
     const auto* row = std::get_if<PointRow>(&rows[i].row);
     if (!row) return;
     const ReceiverPoint receiver = receivers.receiver_of(*row);
     const auto& [x, y, z] = row->normal;
-    std::vector<LightIrradiance>& local = lights.local();
+    std::vector<LightIrradiance>& local = lights[worker];
     for (std::size_t l = 0; l < local.size(); ++l) {
       const Irradiance e = local[l].received(receiver, {x, y, z});
       rows[i].received.push_back(per_square_metre(e, chosen[l]->shape, unit));
@@ -131,23 +131,21 @@ struct IrradianceOutputs {
 ExitCode write_irradiance(const IrradianceOptions& options, const Scene& scene, const PreparedObstacles& obstacles,
                           const Receivers& receivers) {
   const std::vector<const SceneLight*> chosen = chosen_lights(scene.lights, options.light);
-  LightsOfThreads lights([&] {
-    std::vector<LightIrradiance> result;
-    for (const SceneLight* light : chosen) result.emplace_back(light->shape, light->strength, obstacles);
-    return result;
-  });
+  LightsOfWorkers lights(thread_count(options.threads));
+  for (std::vector<LightIrradiance>& own : lights) {
+    for (const SceneLight* light : chosen) own.emplace_back(light->shape, light->strength, obstacles);
+  }
   const LengthUnit unit = *length_unit_named(scene.length_unit);
   std::vector<std::string> names;
   for (const SceneLight* light : chosen) names.push_back(light->name);
   IrradianceOutputs outputs(options, scene, receivers.header, names);
-  tbb::task_arena threads(arena_size(options.threads));
   if (names.empty()) print_warning("the scene has no light");
   Progress progress("point", receivers.count, progress_visibility(options.quiet, options.out.empty()));
   IrradianceSummaries summaries(names);
   std::size_t malformed_lines = 0;
   for (auto batch = receivers.next_batch(); !batch.empty(); batch = receivers.next_batch()) {
     const std::size_t count = batch.size();
-    for (const LitRow& lit : lit_rows(receivers, std::move(batch), chosen, unit, lights, threads)) {
+    for (const LitRow& lit : lit_rows(receivers, std::move(batch), chosen, unit, lights)) {
       if (outputs.csv) outputs.csv->add(lit);
       if (outputs.json) outputs.json->add(lit);
       const auto* malformed = std::get_if<MalformedRow>(&lit.row);

@@ -1,9 +1,7 @@
 #include <array>
-#include <string_view>
 
 #include "apps/gnomon/commands.h"
 #include "apps/gnomon/program.h"
-#include "apps/keep_memory.h"
 
 namespace gnomon {
 namespace {
@@ -40,6 +38,5 @@ constexpr ProgramText program{
 }  // namespace gnomon
 
 int main(int argc, char** argv) {
-  if (argc > 1 && std::string_view(argv[1]) == "receivers") gnomon::start_with_large_thread_caches(argv);
   return gnomon::run_program(gnomon::program, argc, argv);
 }

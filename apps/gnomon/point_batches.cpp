@@ -1,7 +1,5 @@
 #include "apps/gnomon/point_batches.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
@@ -39,14 +37,6 @@ double share_read(std::istream& stream, const std::string& at) {
       at == "-" || !std::filesystem::is_regular_file(at, error) ? 0 : std::filesystem::file_size(at, error);
   const std::streamoff place = size == 0 || error ? -1 : std::streamoff(stream.tellg());
   return place < 0 ? -1 : std::min(1.0, static_cast<double>(place) / static_cast<double>(size));
-}
-
-int arena_size(unsigned threads) {
-  return threads == 0 ? tbb::task_arena::automatic : static_cast<int>(threads);
-}
-
-void for_all(std::size_t count, tbb::task_arena& threads, const std::function<void(std::size_t)>& work) {
-  threads.execute([&] { tbb::parallel_for(std::size_t{0}, count, work); });
 }
 
 }  // namespace gnomon

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <tbb/task_arena.h>
-
 #include <cstddef>
 #include <functional>
 #include <istream>
@@ -26,11 +24,5 @@ std::vector<TableRow> next_rows(PointTable& table);
 
 /// The part of the points' file that has been read, from 0 to 1; negative for stdin and pipes.
 double share_read(std::istream& stream, const std::string& at);
-
-/// What a task_arena calls a number of threads; 0: as many as there are processors.
-int arena_size(unsigned threads);
-
-/// Does the work for every index below count, on the arena's threads, in no order.
-void for_all(std::size_t count, tbb::task_arena& threads, const std::function<void(std::size_t)>& work);
 
 }  // namespace gnomon

@@ -14,7 +14,6 @@
 #include "apps/gnomon/console.h"
 #include "apps/gnomon/text.h"
 #include "apps/gnomon/untimely_end.h"
-#include "apps/keep_memory.h"
 #include "gnomon/errors.h"
 #include "gnomon/scene.h"
 
@@ -110,7 +109,6 @@ ExitCode misuse(const ProgramText& program, Arguments words, std::string_view me
 }  // namespace
 
 int run_program(const ProgramText& program, int argc, char** argv) {
-  keep_freed_memory();
   prepare_streams();
   prepare_untimely_end();
   ExitCode code = ExitCode::done;

@@ -1,35 +1,35 @@
 #include "apps/gnomon/region_finder.h"
 
-#include <tbb/enumerable_thread_specific.h>
-
 #include <memory>
 
 #include "apps/gnomon/element_choice.h"
+#include "geometry/parallel.h"
 #include "gnomon/scene.h"
 #include "gnomon/visibility.h"
 
 namespace gnomon {
 namespace {
 
-RegionFinder spatial_finder(const Scene& scene, const std::string& light) {
+RegionFinder spatial_finder(const Scene& scene, const std::string& light, unsigned threads) {
   const std::vector<const SceneLight*> lights = chosen_lights(scene.lights, light);
   RegionFinder finder;
+  finder.threads = threads;
   for (const SceneLight* l : lights) finder.lights.push_back(l->name);
   const PreparedObstacles obstacles(obstacles_of(scene));
-  const auto per_thread = std::make_shared<tbb::enumerable_thread_specific<std::vector<LightVisibility>>>([=] {
-    std::vector<LightVisibility> result;
-    for (const SceneLight* l : lights) result.emplace_back(l->shape, obstacles);
-    return result;
-  });
-  finder.at = [per_thread](const std::array<double, 3>& p) {
+  const auto of_workers = std::make_shared<std::vector<std::vector<LightVisibility>>>(threads);
+  for (std::vector<LightVisibility>& own : *of_workers) {
+    for (const SceneLight* l : lights) own.emplace_back(l->shape, obstacles);
+  }
+  finder.at = [of_workers](std::size_t worker, const std::array<double, 3>& p) {
     std::vector<Visibility> seen;
-    for (LightVisibility& light_seen : per_thread->local()) seen.push_back(light_seen.at({p[0], p[1], p[2]}));
+    for (LightVisibility& light_seen : (*of_workers)[worker]) seen.push_back(light_seen.at({p[0], p[1], p[2]}));
     return seen;
   };
-  finder.received = [per_thread, obstacles](const std::array<double, 3>& p, const std::array<double, 3>& n) {
+  finder.received = [of_workers, obstacles](std::size_t worker, const std::array<double, 3>& p,
+                                            const std::array<double, 3>& n) {
     const ReceiverPoint receiver = resting_point(obstacles, {p[0], p[1], p[2]}, {n[0], n[1], n[2]});
     std::vector<Visibility> seen;
-    for (LightVisibility& light_seen : per_thread->local()) seen.push_back(light_seen.received(receiver));
+    for (LightVisibility& light_seen : (*of_workers)[worker]) seen.push_back(light_seen.received(receiver));
     return seen;
   };
   finder.is_within_rounding = [obstacles](const std::array<double, 3>& p) {
@@ -44,14 +44,15 @@ Visibility visibility_in_plane(const planar::Sight& sight, const Point2& p) {
   return {seen.region, fraction.value, fraction.error};
 }
 
-RegionFinder planar_finder(const Scene& scene, const std::string& light) {
+RegionFinder planar_finder(const Scene& scene, const std::string& light, unsigned threads) {
   const auto sights = std::make_shared<std::vector<planar::Sight>>();
   RegionFinder finder;
+  finder.threads = threads;
   for (const PlanarLight* l : chosen_lights(scene.planar_lights, light)) {
     finder.lights.push_back(l->name);
     sights->push_back(planar_sight(scene, *l));
   }
-  finder.at = [sights](const std::array<double, 3>& p) {
+  finder.at = [sights](std::size_t, const std::array<double, 3>& p) {
     std::vector<Visibility> seen;
     for (const planar::Sight& sight : *sights) seen.push_back(visibility_in_plane(sight, {p[0], p[1]}));
     return seen;
@@ -61,9 +62,9 @@ RegionFinder planar_finder(const Scene& scene, const std::string& light) {
 
 }  // namespace
 
-RegionFinder region_finder(const Scene& scene, const std::string& light) {
-  if (scene.dimension == 3) return spatial_finder(scene, light);
-  return planar_finder(scene, light);
+RegionFinder region_finder(const Scene& scene, const std::string& light, unsigned threads) {
+  if (scene.dimension == 3) return spatial_finder(scene, light, thread_count(threads));
+  return planar_finder(scene, light, thread_count(threads));
 }
 
 }  // namespace gnomon

@@ -15,6 +15,7 @@
 #include "apps/gnomon/regions_output.h"
 #include "apps/gnomon/scene_input.h"
 #include "apps/gnomon/text.h"
+#include "geometry/parallel.h"
 #include "gnomon/scene.h"
 
 namespace gnomon {
@@ -50,13 +51,14 @@ void add_options(CommandLine& app, RegionsOptions& options) {
       "  gnomon regions examples/two_lamps.scene.json --at examples/points.csv --json -\n");
 }
 
-std::vector<JudgedRow> judged_batch(PointTable& table, const RegionFinder& finder, tbb::task_arena& threads) {
+std::vector<JudgedRow> judged_batch(PointTable& table, const RegionFinder& finder) {
   std::vector<JudgedRow> rows;
   for (TableRow& row : next_rows(table)) rows.push_back({std::move(row), {}});
-  for_all(rows.size(), threads, [&](std::size_t i) {
+  for_all(rows.size(), finder.threads, [&](std::size_t i, std::size_t worker) {
     const auto* row = std::get_if<PointRow>(&rows[i].row);
     if (!row) return;
-    rows[i].seen = table.has_normals() ? finder.received(row->coordinates, row->normal) : finder.at(row->coordinates);
+    rows[i].seen = table.has_normals() ? finder.received(worker, row->coordinates, row->normal)
+                                       : finder.at(worker, row->coordinates);
     rows[i].is_within_rounding =
         !table.has_normals() && finder.is_within_rounding && finder.is_within_rounding(row->coordinates);
   });
@@ -107,15 +109,14 @@ struct RegionsOutputs {
 
 ExitCode write_regions(const RegionsOptions& options, const Scene& scene, std::istream& stream,
                        const std::string& file) {
-  const RegionFinder finder = region_finder(scene, options.light);
+  const RegionFinder finder = region_finder(scene, options.light, options.threads);
   PointTable table(stream, file, columns_of(scene));
   RegionsOutputs outputs(options, scene, table, finder.lights);
   RegionCounts counts(finder.lights);
   std::size_t within_rounding = 0;
-  tbb::task_arena threads(arena_size(options.threads));
   if (finder.lights.empty()) print_warning("the scene has no light");
   Progress progress("point", 0, progress_visibility(options.quiet, options.out.empty()));
-  for (auto rows = judged_batch(table, finder, threads); !rows.empty(); rows = judged_batch(table, finder, threads)) {
+  for (auto rows = judged_batch(table, finder); !rows.empty(); rows = judged_batch(table, finder)) {
     for (const JudgedRow& judged : rows) {
       counts.add(judged);
       within_rounding += judged.is_within_rounding ? 1 : 0;

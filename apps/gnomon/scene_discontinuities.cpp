@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <optional>
 #include <span>
-#include <thread>
 #include <utility>
 
 #include "apps/gnomon/console.h"
@@ -140,10 +139,6 @@ std::string division_refusal(const Scene& scene, const ReceiverSelection& select
   return any ? "" : "no receiver asked for has exactly coplanar vertices";
 }
 
-unsigned thread_count(const Effort& effort) {
-  return effort.threads ? effort.threads : std::max(1U, std::thread::hardware_concurrency());
-}
-
 }  // namespace
 
 DiscontinuityResult divided_receivers(const Scene& scene, const ReceiverSelection& selection, VertexFractions fractions,
@@ -168,7 +163,7 @@ DiscontinuityResult divided_receivers(const Scene& scene, const ReceiverSelectio
   for (const std::uint32_t r : chosen) receivers.push_back(parts.receivers[r]);
   Progress progress("receiver", lights.size() * chosen.size(), effort.shows_progress ? automatic : hidden);
   // Receivers are shared among threads, and few receivers each among several.
-  const unsigned threads = thread_count(effort);
+  const unsigned threads = thread_count(effort.threads);
   const unsigned for_each = std::max(1U, threads / static_cast<unsigned>(std::max<std::size_t>(1, chosen.size())));
   for (const std::uint32_t l : lights) {
     const ReceiverDivision division(scene.lights[l].shape, parts.blockers, receivers, threads);
@@ -209,7 +204,7 @@ DiscontinuityResult scene_surfaces(const Scene& scene, const std::string& light,
   warn_of_rounded(scene, {});
   Progress progress("light", lights.size(), effort.shows_progress ? automatic : hidden);
   std::vector<SurfaceResult> made(lights.size());
-  for_all(lights.size(), thread_count(effort), [&](std::size_t i, std::size_t) {
+  for_all(lights.size(), thread_count(effort.threads), [&](std::size_t i, std::size_t) {
     const SceneLight& l = scene.lights[lights[i]];
     made[i] = {lights[i], l.name, discontinuity_surfaces(l.shape, parts.blockers, parts.receivers, box)};
     progress.step();

@@ -8,6 +8,7 @@
 #include "apps/gnomon/console.h"
 #include "apps/gnomon/point_batches.h"
 #include "apps/gnomon/text.h"
+#include "geometry/parallel.h"
 
 namespace gnomon {
 namespace {
@@ -58,8 +59,7 @@ KillMatrix kill_matrix(const std::vector<Law>& laws, std::uint64_t seed, const E
   const std::size_t cells = matrix.mutants.size() * laws.size();
   Progress progress("mutants tried", cells,
                     effort.shows_progress ? Progress::Visibility::automatic : Progress::Visibility::hidden);
-  tbb::task_arena threads(arena_size(effort.threads));
-  for_all(cells, threads, [&](std::size_t i) {
+  for_all(cells, thread_count(effort.threads), [&](std::size_t i, std::size_t) {
     const std::size_t mutant = i / laws.size(), law = i % laws.size();
     matrix.cells[mutant][law] = cell(laws[law], matrix.mutants[mutant], seed);
     progress.step();

@@ -1,8 +1,5 @@
 #include "apps/proof/law_trials.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -12,6 +9,7 @@
 
 #include "apps/gnomon/console.h"
 #include "apps/gnomon/point_batches.h"
+#include "geometry/parallel.h"
 
 namespace gnomon {
 namespace {
@@ -92,8 +90,7 @@ void run_pieces(std::vector<Piece>& all, const std::vector<Law>& laws, const Tri
                 const Effort& effort, FirstFailures& failures) {
   Progress progress("checking", all.size(),
                     effort.shows_progress ? Progress::Visibility::automatic : Progress::Visibility::hidden);
-  tbb::task_arena threads(arena_size(effort.threads));
-  const auto run_one = [&](std::size_t i) {
+  const auto run_one = [&](std::size_t i, std::size_t) {
     Piece& piece = all[i];
     auto& first_failure = failures[piece.law][piece.domain];
     if (piece.number < first_failure) {
@@ -102,8 +99,7 @@ void run_pieces(std::vector<Piece>& all, const std::vector<Law>& laws, const Tri
     }
     progress.step();
   };
-  // Pieces differ much in what they cost, so each is handed out by itself.
-  threads.execute([&] { tbb::parallel_for(std::size_t{0}, all.size(), run_one, tbb::simple_partitioner()); });
+  for_all(all.size(), thread_count(effort.threads), run_one);
 }
 
 LawStatus status_of(const LawTrial& trial) {

@@ -1,8 +1,6 @@
 #include <array>
-#include <string_view>
 
 #include "apps/gnomon/program.h"
-#include "apps/keep_memory.h"
 #include "apps/proof/proof_commands.h"
 
 namespace gnomon {
@@ -26,6 +24,5 @@ constexpr ProgramText program{
 }  // namespace gnomon
 
 int main(int argc, char** argv) {
-  if (argc > 1 && std::string_view(argv[1]) == "theorems") gnomon::start_with_large_thread_caches(argv);
   return gnomon::run_program(gnomon::program, argc, argv);
 }

@@ -1,10 +1,10 @@
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
-#include <tbb/parallel_for.h>
 
 #include <atomic>
 
 #include "apps/proof/report/box_stacks.h"
+#include "geometry/parallel.h"
 #include "gnomon/receiver_mesh.h"
 
 // k x k stacks of 8 boxes on a floor, every face a receiver (48 k^2 + 1 of them), divided by all edge-vertex events and
@@ -21,17 +21,12 @@ void divide(benchmark::State& state, const Light& light, const report::BoxStacks
   for (auto unused : state) {
     faces = events = 0;
     const ReceiverDivision division(light, stacks.boxes, stacks.receivers);
-    const auto one = [&](std::uint32_t r) {
-      const ReceiverMesh mesh = division.mesh(r);
+    const auto one = [&](std::size_t r, std::size_t) {
+      const ReceiverMesh mesh = division.mesh(static_cast<std::uint32_t>(r));
       faces += mesh.faces().size();
       events += mesh.names().size();
     };
-    const auto n = static_cast<std::uint32_t>(division.size());
-    if (threads == Threads::all) {
-      tbb::parallel_for(0U, n, one);
-    } else {
-      for (std::uint32_t r = 0; r < n; ++r) one(r);
-    }
+    for_all(division.size(), threads == Threads::all ? thread_count(0) : 1, one);
   }
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "apps/keep_memory.h"
 #include "tests/benchmarks/ratios.h"
 
 namespace gnomon::benchmarks {
@@ -56,6 +55,5 @@ int run(int argc, char** argv) {
 }  // namespace gnomon::benchmarks
 
 int main(int argc, char** argv) {
-  gnomon::keep_freed_memory();  // as the program does
   return gnomon::benchmarks::run(argc, argv);
 }

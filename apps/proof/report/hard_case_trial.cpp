@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <future>
 #include <span>
-#include <thread>
 
 #include "apps/proof/report/divided_blockers.h"
 #include "apps/proof/report/embree_sight.h"
 #include "apps/proof/report/plain_sight.h"
 #include "apps/proof/report/truth.h"
+#include "geometry/parallel.h"
 #include "gnomon/irradiance.h"
 #include "gnomon/visibility.h"
 
@@ -23,16 +22,8 @@ constexpr std::size_t most_timed_points = 200;
 std::vector<Visibility> true_answers(const HardCase& hard, std::span<const Point3> points) {
   const Obstacles obstacles{divided(hard.blockers), {}};
   std::vector<Visibility> answers(points.size());
-  const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
-  std::vector<std::future<void>> parts;
-  for (std::size_t first = 0; first < threads; ++first) {
-    parts.push_back(std::async(std::launch::async, [&, first] {
-      for (std::size_t i = first; i < points.size(); i += threads) {
-        answers[i] = exact_visibility(hard.light, obstacles, points[i]);
-      }
-    }));
-  }
-  for (std::future<void>& part : parts) part.get();
+  for_all(points.size(), thread_count(0),
+          [&](std::size_t i, std::size_t) { answers[i] = exact_visibility(hard.light, obstacles, points[i]); });
   return answers;
 }
 
