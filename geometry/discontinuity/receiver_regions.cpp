@@ -1,27 +1,11 @@
 #include <algorithm>
-#include <numeric>
+#include <boost/pending/disjoint_sets.hpp>
 
 #include "geometry/discontinuity/receiver_mesh_data.h"
 #include "geometry/discontinuity/square_root.h"
-#include "geometry/rounding.h"
 
 namespace gnomon {
 namespace {
-
-/// Sets of faces that grow together.
-class FaceSets {
- public:
-  explicit FaceSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }
-
-  std::uint32_t of(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t i, std::uint32_t j) { parent_[std::max(of(i), of(j))] = std::min(of(i), of(j)); }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 std::uint32_t face_left_of(const MeshEdge& edge, MeshEdgeUse use) {
   return use % 2 == 0 ? edge.left : edge.right;
@@ -71,13 +55,16 @@ class RegionWalk {
 };
 
 std::vector<std::uint32_t> sets_of_equal_region(const ReceiverMesh::Data& data) {
-  FaceSets sets(data.faces.size());
+  boost::disjoint_sets_with_storage<> sets(data.faces.size());
   for (const MeshEdge& e : data.edges) {
     if (e.left == MeshEdge::nowhere || e.right == MeshEdge::nowhere) continue;
-    if (data.faces[e.left].region == data.faces[e.right].region) sets.join(e.left, e.right);
+    if (data.faces[e.left].region == data.faces[e.right].region) sets.union_set(e.left, e.right);
   }
-  std::vector<std::uint32_t> result(data.faces.size());
-  for (std::uint32_t f = 0; f < result.size(); ++f) result[f] = sets.of(f);
+  std::vector<std::uint32_t> lowest(data.faces.size(), MeshEdge::nowhere), result(data.faces.size());
+  for (std::uint32_t f = 0; f < result.size(); ++f) {
+    std::uint32_t& of_set = lowest[sets.find_set(f)];
+    result[f] = of_set = std::min(of_set, f);
+  }
   return result;
 }
 

@@ -1,11 +1,11 @@
 #include <algorithm>
+#include <boost/pending/disjoint_sets.hpp>
 #include <cmath>
 #include <numeric>
 #include <unordered_map>
 #include <utility>
 
 #include "geometry/boxes.h"
-#include "geometry/disjoint_sets.h"
 #include "geometry/planar/event_arrangement.h"
 #include "geometry/planar/partition_data.h"
 #include "geometry/planar/sight_query.h"
@@ -113,18 +113,18 @@ class Builder {
   static bool stays(Halfedge edge) { return edge->data() != gone; }
 
   void number_faces() {
-    DisjointSets groups(seen_.size());
+    boost::disjoint_sets_with_storage<> groups(seen_.size());
     for (auto edge = arrangement_.edges_begin(); edge != arrangement_.edges_end(); ++edge) {
       if (stays(edge)) continue;
       const std::uint32_t left = edge->face()->data(), right = edge->twin()->face()->data();
-      groups.unite(left, right);
+      groups.union_set(left, right);
     }
     std::vector<std::uint32_t> number(seen_.size(), nowhere);
     face_of_.assign(seen_.size(), nowhere);
     for (auto face = arrangement_.faces_begin(); face != arrangement_.faces_end(); ++face) {
       const std::uint32_t own = face->data();
       if (is_outside(own)) continue;
-      std::uint32_t& group = number[groups.of(own)];
+      std::uint32_t& group = number[groups.find_set(own)];
       if (group == nowhere) {
         group = static_cast<std::uint32_t>(data_.faces.size());
         data_.faces.push_back({seen_[own].region, true, {}, {}, {}});

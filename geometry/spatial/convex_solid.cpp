@@ -1,12 +1,12 @@
 #include "gnomon/blocker.h"
 
 #include <algorithm>
+#include <boost/pending/disjoint_sets.hpp>
 #include <cmath>
 #include <numeric>
 #include <tuple>
 #include <utility>
 
-#include "geometry/disjoint_sets.h"
 #include "geometry/kernel.h"
 #include "geometry/spatial/hull_triangles.h"
 #include "geometry/spatial/orientation.h"
@@ -79,15 +79,15 @@ bool are_coplanar(std::span<const Point3> points, const HullTriangle& s, const H
 /// The half-edges between facets, ordered by facet and then by where they start; `face` is the facet's group.
 std::vector<HalfEdge> facet_half_edges(std::span<const Point3> points, const std::vector<HullTriangle>& triangles) {
   const std::vector<HalfEdge> halves = paired_half_edges(triangles);
-  DisjointSets groups(triangles.size());
+  boost::disjoint_sets_with_storage<> groups(triangles.size());
   for (std::size_t i = 0; i < halves.size(); i += 2) {
     const std::uint32_t s = halves[i].face, t = halves[i + 1].face;
-    if (are_coplanar(points, triangles[s], triangles[t])) groups.unite(s, t);
+    if (are_coplanar(points, triangles[s], triangles[t])) groups.union_set(s, t);
   }
   std::vector<HalfEdge> result;
   for (std::size_t i = 0; i < halves.size(); i += 2) {
-    const auto s = static_cast<std::uint32_t>(groups.of(halves[i].face));
-    const auto t = static_cast<std::uint32_t>(groups.of(halves[i + 1].face));
+    const auto s = static_cast<std::uint32_t>(groups.find_set(halves[i].face));
+    const auto t = static_cast<std::uint32_t>(groups.find_set(halves[i + 1].face));
     if (s == t) continue;
     result.push_back({halves[i].from, halves[i].to, s});
     result.push_back({halves[i + 1].from, halves[i + 1].to, t});

@@ -1,10 +1,10 @@
 #include "geometry/spatial/split_fans.h"
 
 #include <algorithm>
+#include <boost/pending/disjoint_sets.hpp>
 #include <map>
 #include <numeric>
 
-#include "geometry/disjoint_sets.h"
 #include "gnomon/errors.h"
 
 namespace gnomon {
@@ -24,12 +24,12 @@ struct EdgeUse {
 using EdgeUses = std::map<std::array<VertexId, 2>, std::vector<EdgeUse>>;
 
 /// Sets of corners of triangles that are one vertex of the surface.
-using Fans = DisjointSets;
+using Fans = boost::disjoint_sets_with_storage<>;
 
 /// Joins two triangles along an edge that they use in opposite directions.
 void join(Fans& fans, const EdgeUse& a, const EdgeUse& b) {
-  fans.unite(a.start(), b.end());
-  fans.unite(a.end(), b.start());
+  fans.union_set(a.start(), b.end());
+  fans.union_set(a.end(), b.start());
 }
 
 std::vector<std::array<VertexId, 3>*> all_triangles(ExactSurface& surface) {
@@ -72,8 +72,8 @@ std::array<EdgeUse, 4> wedges(const std::vector<EdgeUse>& uses) {
 /// divides the volume into two wedges, and an outer triangle belongs to the inward one that it meets head on.
 void join_touching_sheets(Fans& fans, const std::vector<EdgeUse>& uses) {
   const auto [outer, inner, other_outer, other_inner] = wedges(uses);
-  const bool goes_round =
-      fans.of(outer.start()) == fans.of(other_outer.end()) || fans.of(outer.end()) == fans.of(other_outer.start());
+  const bool goes_round = fans.find_set(outer.start()) == fans.find_set(other_outer.end()) ||
+                          fans.find_set(outer.end()) == fans.find_set(other_outer.start());
   join(fans, outer, goes_round ? other_outer : inner);
   join(fans, other_inner, goes_round ? inner : other_outer);
 }
@@ -133,7 +133,7 @@ void split_fans(ExactSpace& space, ExactSurface& surface, std::size_t first_inne
   std::map<std::size_t, VertexId> copies;
   for (std::size_t corner = 0; corner < 3 * triangles.size(); ++corner) {
     VertexId& vertex = (*triangles[corner / 3])[corner % 3];
-    const std::size_t fan = fans.of(corner);
+    const std::size_t fan = fans.find_set(corner);
     if (first_fan.try_emplace(vertex, fan).first->second == fan) continue;
     const auto [copy, is_new] = copies.try_emplace(fan, vertex);
     if (is_new) copy->second = space.add_copy(vertex);

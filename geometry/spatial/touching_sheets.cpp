@@ -1,12 +1,12 @@
 #include "geometry/spatial/touching_sheets.h"
 
 #include <algorithm>
+#include <boost/pending/disjoint_sets.hpp>
 #include <map>
 #include <numeric>
 #include <optional>
 #include <utility>
 
-#include "geometry/disjoint_sets.h"
 #include "gnomon/errors.h"
 
 namespace gnomon {
@@ -24,9 +24,9 @@ struct CornerUse {
 };
 
 /// Joins the corners of two triangles along an edge that they use in opposite directions.
-void join(DisjointSets& fans, const CornerUse& a, const CornerUse& b) {
-  fans.unite(a.start, b.end);
-  fans.unite(a.end, b.start);
+void join(boost::disjoint_sets_with_storage<>& fans, const CornerUse& a, const CornerUse& b) {
+  fans.union_set(a.start, b.end);
+  fans.union_set(a.end, b.start);
 }
 
 std::uint32_t vertex(const ExactTriangles& surface, std::size_t corner) {
@@ -93,12 +93,12 @@ std::vector<UsePair> joined_by_volume(const ExactTriangles& surface, const Edge&
 }
 
 /// Gives every fan a vertex of its own.
-void split_vertices(ExactTriangles& surface, DisjointSets& fans) {
+void split_vertices(ExactTriangles& surface, boost::disjoint_sets_with_storage<>& fans) {
   std::vector<bool> is_taken(surface.points.size());
   std::map<std::size_t, std::uint32_t> vertex_of_fan;
   for (std::size_t corner = 0; corner < 3 * surface.triangles.size(); ++corner) {
     std::uint32_t& v = surface.triangles[corner / 3].vertices[corner % 3];
-    const auto [entry, is_new] = vertex_of_fan.try_emplace(fans.of(corner), v);
+    const auto [entry, is_new] = vertex_of_fan.try_emplace(fans.find_set(corner), v);
     if (is_new && is_taken[v]) {
       entry->second = static_cast<std::uint32_t>(surface.points.size());
       const ExactPoint copy = surface.points[v];
@@ -177,7 +177,7 @@ void divide_shared_edges(ExactTriangles& surface, const std::vector<UsePair>& pa
 }  // namespace
 
 ExactTriangles with_sheets_apart(ExactTriangles surface) {
-  DisjointSets fans(3 * surface.triangles.size());
+  boost::disjoint_sets_with_storage<> fans(3 * surface.triangles.size());
   std::vector<UsePair> pairs;
   for (const auto& [edge, uses] : corner_uses(surface)) {
     for (const UsePair& pair : joined_by_volume(surface, edge, uses)) {

@@ -1,12 +1,12 @@
 #include "geometry/spatial/volume_extent.h"
 
 #include <algorithm>
+#include <boost/pending/disjoint_sets.hpp>
 #include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
 
-#include "geometry/disjoint_sets.h"
 #include "geometry/spatial/shadow_polyhedra.h"
 #include "gnomon/errors.h"
 
@@ -14,10 +14,10 @@ namespace gnomon {
 namespace {
 
 /// Number of sets with a member that counts.
-std::uint32_t number_of_sets(DisjointSets& sets, const std::vector<bool>& counts) {
+std::uint32_t number_of_sets(boost::disjoint_sets_with_storage<>& sets, const std::vector<bool>& counts) {
   std::set<std::size_t> found;
   for (std::size_t i = 0; i < counts.size(); ++i) {
-    if (counts[i]) found.insert(sets.of(i));
+    if (counts[i]) found.insert(sets.find_set(i));
   }
   return static_cast<std::uint32_t>(found.size());
 }
@@ -128,7 +128,7 @@ std::uint32_t pieces_inside_occlusion(const ShadowPlanes& planes, const PairHalf
     if (i == VertexDefinition::none || j == VertexDefinition::none) return false;
     return outer_edges.count(point_pair(space.input(i).first, space.input(j).first)) != 0;
   };
-  DisjointSets groups(umbra.faces.size());
+  boost::disjoint_sets_with_storage<> groups(umbra.faces.size());
   std::vector<bool> counts;
   std::map<std::array<VertexId, 2>, std::size_t> edges;
   for (std::size_t f = 0; f < umbra.faces.size(); ++f) {
@@ -139,7 +139,7 @@ std::uint32_t pieces_inside_occlusion(const ShadowPlanes& planes, const PairHalf
       const VertexId a = loop[i];
       const VertexId b = loop[(i + 1) % loop.size()];
       const auto other = edges.find({b, a});
-      if (other != edges.end() && !is_no_joint(a, b)) groups.unite(f, other->second);
+      if (other != edges.end() && !is_no_joint(a, b)) groups.union_set(f, other->second);
       edges[{a, b}] = f;
     }
   }
@@ -173,10 +173,10 @@ std::uint32_t umbra_pockets(const HullPair& pair, const PairHalfSpaces& half_spa
       counts[half_space.name.vertex_index.value()] = false;
     }
   }
-  DisjointSets groups(counts.size());
+  boost::disjoint_sets_with_storage<> groups(counts.size());
   for (const Hull::Edge& edge : pair.blocker.edges) {
     if (!counts[edge.left] || !counts[edge.right]) continue;
-    if (in_front[edge.from] || in_front[edge.to]) groups.unite(edge.left, edge.right);
+    if (in_front[edge.from] || in_front[edge.to]) groups.union_set(edge.left, edge.right);
   }
   return number_of_sets(groups, counts);
 }

@@ -1,10 +1,10 @@
 #include "geometry/visibility/turned_away.h"
 
 #include <algorithm>
+#include <boost/pending/disjoint_sets.hpp>
 #include <utility>
 
 #include "geometry/boxes.h"
-#include "geometry/disjoint_sets.h"
 #include "geometry/spatial/orientation.h"
 
 namespace gnomon::sight {
@@ -14,23 +14,23 @@ using Content = BlockerSet::Content;
 
 /// Flat blockers that share edges, as sets; and of each set's root whether it has no other edge and where it lies.
 struct Surfaces {
-  DisjointSets sets;
+  boost::disjoint_sets_with_storage<> sets;
   std::vector<bool> is_closed;
   std::vector<Box3> boxes;
 };
 
 Surfaces surfaces_of(const Content& blockers) {
   const std::size_t count = blockers.shapes.size();
-  Surfaces result{DisjointSets(count), std::vector<bool>(count, true), std::vector<Box3>(count, empty_box3())};
+  Surfaces result{boost::disjoint_sets_with_storage<>(count), std::vector<bool>(count, true), std::vector<Box3>(count, empty_box3())};
   for (std::uint32_t s = 0; s < count; ++s) {
     const Content::Shape& shape = blockers.shapes[s];
     for (std::uint32_t k = shape.first; k < shape.first + shape.count; ++k) {
-      if (blockers.mates[k].shape != Content::Mate::none) result.sets.unite(s, blockers.mates[k].shape);
+      if (blockers.mates[k].shape != Content::Mate::none) result.sets.union_set(s, blockers.mates[k].shape);
     }
   }
   for (std::uint32_t s = 0; s < count; ++s) {
     const Content::Shape& shape = blockers.shapes[s];
-    const std::size_t root = result.sets.of(s);
+    const std::size_t root = result.sets.find_set(s);
     if (shape.solid >= 0) result.is_closed[root] = false;
     for (std::uint32_t k = shape.first; k < shape.first + shape.count; ++k) {
       if (!blockers.mates[k].is_opposite) result.is_closed[root] = false;
@@ -51,7 +51,7 @@ TurnedAway::TurnedAway(const Content& blockers, std::span<const Point3> light) {
   const Box3 around_light = box_around(light);
   box_of_.assign(blockers.shapes.size(), none);
   for (std::uint32_t s = 0; s < blockers.shapes.size(); ++s) {
-    const std::size_t root = surfaces.sets.of(s);
+    const std::size_t root = surfaces.sets.find_set(s);
     if (!surfaces.is_closed[root] || overlap(surfaces.boxes[root], around_light)) continue;
     const std::span<const Point3> facet = blockers.corners(blockers.shapes[s]);
     const bool has_light_before =
