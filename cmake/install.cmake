@@ -14,7 +14,7 @@ endif()
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 install(FILES cmake/gnomon.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME gnomon)
 install(DIRECTORY schemas DESTINATION ${CMAKE_INSTALL_DATADIR}/gnomon FILES_MATCHING PATTERN "*.schema.json")
-install(FILES viz/gnomon_reader.py DESTINATION ${CMAKE_INSTALL_DATADIR}/gnomon/paraview)
+install(FILES viz/vtk/gnomon_reader.py DESTINATION ${CMAKE_INSTALL_DATADIR}/gnomon/paraview)
 # Pages link to each other and to the examples as they lie in the sources.
 set(gnomon_example_files FILES_MATCHING PATTERN "*.scene.json" PATTERN "*.csv" PATTERN "*.stl" PATTERN "*.license")
 install(DIRECTORY examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/gnomon/examples ${gnomon_example_files})

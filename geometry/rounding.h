@@ -9,6 +9,9 @@ namespace gnomon {
 /// Exactness: correctly rounded whatever the rounding mode of the processor is.
 double nearest_double(const Rational& number);
 
+/// The double nearest to the square root of a number that is not negative.
+double nearest_root(const Rational& number);
+
 /// The number correctly rounded and as text.
 ExactNumber exact_number(const Rational& number);
 

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/visibility/exact_visible_part.h"
 #include "geometry/visibility/prepared_obstacles.h"
+#include "geometry/visibility/visible_part.h"
 #include "gnomon/errors.h"
 #include "shading/exact_direction.h"
 #include "shading/lambert.h"

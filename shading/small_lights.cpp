@@ -6,7 +6,6 @@
 #include <limits>
 #include <optional>
 
-#include "geometry/discontinuity/square_root.h"
 #include "geometry/rounding.h"
 #include "geometry/visibility/exact_vector.h"
 #include "shading/vector.h"
@@ -171,10 +170,10 @@ struct ExactStretch {
     height_square = dot(foot, foot);
   }
 
-  double r(std::size_t end) const { return event::nearest_root(distance_square[end]); }
-  double s(std::size_t end) const { return event::nearest_root(Rational(place[end] * place[end] / along_square)); }
+  double r(std::size_t end) const { return nearest_root(distance_square[end]); }
+  double s(std::size_t end) const { return nearest_root(Rational(place[end] * place[end] / along_square)); }
   double s_over_r(std::size_t end) const {
-    return event::nearest_root(Rational(place[end] * place[end] / (along_square * distance_square[end])));
+    return nearest_root(Rational(place[end] * place[end] / (along_square * distance_square[end])));
   }
   bool goes_past_the_foot() const { return place[0].sign() * place[1].sign() < 0; }
 };
@@ -203,7 +202,7 @@ Irradiance across_part(const ExactStretch& stretch, const ExactVector& normal) {
 /// The part along the line: the integral of s / r³, that is 1 / r1 - 1 / r2, times N . d.
 Irradiance along_part(const ExactStretch& stretch, const ExactVector& normal) {
   const Rational product = dot(normal, stretch.along);
-  const double size = event::nearest_root(Rational(product * product / stretch.along_square));
+  const double size = nearest_root(Rational(product * product / stretch.along_square));
   const double cosine = product < 0 ? -size : size;
   const double from = 1 / stretch.r(0), to = 1 / stretch.r(1);
   return {cosine * (from - to), 8 * unit * size * (from + to)};

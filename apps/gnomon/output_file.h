@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "viz/staged_folder.h"
+#include "viz/vtk/staged_folder.h"
 
 namespace gnomon {
 

@@ -5,7 +5,7 @@
 
 #include "apps/gnomon/command_line.h"
 #include "apps/gnomon/commands.h"
-#include "geometry/discontinuity/total_area.h"
+#include "gnomon/receiver_mesh.h"
 
 namespace gnomon {
 namespace {

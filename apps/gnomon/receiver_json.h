@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "viz/discontinuity_result.h"
+#include "viz/vtk/discontinuity_result.h"
 
 namespace gnomon {
 

@@ -17,7 +17,7 @@
 #include "apps/gnomon/shadow_json.h"
 #include "apps/gnomon/text.h"
 #include "gnomon/scene.h"
-#include "viz/discontinuity_writer.h"
+#include "viz/vtk/discontinuity_writer.h"
 
 namespace gnomon {
 namespace {

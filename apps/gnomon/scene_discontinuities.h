@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "apps/gnomon/computed_shadows.h"
-#include "viz/discontinuity_result.h"
+#include "viz/vtk/discontinuity_result.h"
 
 namespace gnomon {
 

@@ -16,7 +16,7 @@
 #include <thread>
 
 #include "apps/gnomon/commands.h"
-#include "viz/staged_folder.h"
+#include "viz/vtk/staged_folder.h"
 
 namespace gnomon {
 namespace {

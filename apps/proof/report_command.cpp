@@ -13,7 +13,7 @@
 #include "apps/proof/report/targets.h"
 #include "apps/proof/report/timings.h"
 #include "apps/proof/report/volume_tasks.h"
-#include "viz/staged_folder.h"
+#include "viz/vtk/staged_folder.h"
 
 namespace gnomon {
 namespace {

@@ -2,7 +2,7 @@
 #include <boost/pending/disjoint_sets.hpp>
 
 #include "geometry/discontinuity/receiver_mesh_data.h"
-#include "geometry/discontinuity/square_root.h"
+#include "geometry/rounding.h"
 
 namespace gnomon {
 namespace {
@@ -84,7 +84,7 @@ RegionArea stretched(const Rational& doubled, const Rational& squared_stretch) {
     const ExactNumber number = exact_number(Rational(doubled / 2));
     return {number.nearest, number.exact};
   }
-  return {event::nearest_root(Rational(doubled * doubled * squared_stretch / 4)), std::nullopt};
+  return {nearest_root(Rational(doubled * doubled * squared_stretch / 4)), std::nullopt};
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "geometry/discontinuity/total_area.h"
+#include "gnomon/receiver_mesh.h"
 
 #include <algorithm>
 

@@ -9,9 +9,9 @@
 #include "geometry/spatial/orientation.h"
 #include "geometry/visibility/blocker_content.h"
 #include "geometry/visibility/boundary_walk.h"
-#include "geometry/visibility/exact_front.h"
 #include "geometry/visibility/outline_builder.h"
 #include "geometry/visibility/receiver_candidates.h"
+#include "geometry/visibility/receiver_front.h"
 
 namespace gnomon {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "geometry/rounding.h"
-#include "geometry/visibility/exact_front.h"
+#include "geometry/visibility/receiver_front.h"
 
 namespace gnomon::sight {
 namespace {

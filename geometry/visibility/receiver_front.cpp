@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "geometry/spatial/orientation.h"
-#include "geometry/visibility/exact_front.h"
 
 namespace gnomon {
 namespace {

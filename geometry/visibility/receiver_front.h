@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "geometry/visibility/exact_vector.h"
 #include "gnomon/visibility.h"
 
 namespace gnomon {
@@ -19,5 +20,8 @@ int side_of_step(const ReceiverFront& front, const Point3& a, const Point3& b, c
 
 /// True if one of the points lies before the receiver's plane.
 bool reaches_before(const ReceiverPoint& receiver, std::span<const Point3> points);
+
+/// The plane before which a receiver receives; its normal points to the front.
+ExactPlane exact_front(const ReceiverPoint& receiver);
 
 }  // namespace gnomon

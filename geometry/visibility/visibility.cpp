@@ -4,13 +4,12 @@
 #include <array>
 
 #include "geometry/spatial/closed_surface.h"
-#include "geometry/visibility/exact_front.h"
-#include "geometry/visibility/exact_visible_part.h"
 #include "geometry/visibility/prepared_obstacles.h"
 #include "geometry/visibility/reach.h"
 #include "geometry/visibility/receiver_front.h"
 #include "geometry/visibility/rounding_distance.h"
 #include "geometry/visibility/visible_fraction.h"
+#include "geometry/visibility/visible_part.h"
 
 namespace gnomon {
 namespace {

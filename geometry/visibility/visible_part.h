@@ -7,8 +7,7 @@
 
 #include "geometry/visibility/exact_vector.h"
 #include "geometry/visibility/hidden_set.h"
-#include "gnomon/light.h"
-#include "gnomon/names.h"
+#include "gnomon/visibility.h"
 
 namespace gnomon {
 
@@ -54,5 +53,9 @@ VisiblePart visible_part(const Light& light, std::span<const std::vector<HidingC
 
 /// The triangles of the fan from the first vertex that have an area, or the polygon's corners where it is flat.
 std::vector<ExactPolygon> flat_facets(const ConvexPolygon& polygon);
+
+/// The visible part of which exact_visibility tells the region and the fraction.
+VisiblePart exact_visible_part(const Light& light, const Obstacles& obstacles, const Point3& p);
+VisiblePart exact_visible_part(const Light& light, const Obstacles& obstacles, const ReceiverPoint& receiver);
 
 }  // namespace gnomon

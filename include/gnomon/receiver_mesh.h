@@ -85,6 +85,9 @@ struct RegionArea {
   std::optional<std::string> exact;
 };
 
+/// The sum of areas: exact and correctly rounded where all of them are, else the sum of the rounded ones.
+RegionArea total_area(std::span<const RegionArea> areas);
+
 /// A receiver, divided by all discontinuities of what it receives of one light.
 ///
 /// Definition: the faces between the traces of all events of theory section 6 but the triple-edge ones, and the

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "geometry/visibility/exact_visible_part.h"
+#include "geometry/visibility/visible_part.h"
 #include "gnomon/errors.h"
 #include "shading/reference_irradiance.h"
 #include "shading/small_lights.h"

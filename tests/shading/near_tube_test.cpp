@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/visibility/exact_visible_part.h"
+#include "geometry/visibility/visible_part.h"
 #include "gnomon/irradiance.h"
 #include "shading/small_lights.h"
 #include "tests/support/dice.h"

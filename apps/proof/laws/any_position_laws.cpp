@@ -1,4 +1,4 @@
-#include "apps/proof/laws/any_position_laws.h"
+#include "apps/proof/laws/law_lists.h"
 
 #include <algorithm>
 #include <span>

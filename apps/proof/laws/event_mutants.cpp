@@ -1,4 +1,4 @@
-#include "apps/proof/laws/event_mutants.h"
+#include "apps/proof/laws/law_lists.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "apps/proof/laws/flatland_claims.h"
+#include "apps/proof/laws/law_lists.h"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "apps/proof/laws/flatland_laws.h"
+#include "apps/proof/laws/law_lists.h"
 
 #include <algorithm>
 #include <array>

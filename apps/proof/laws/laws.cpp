@@ -1,16 +1,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "apps/proof/laws/any_position_laws.h"
-#include "apps/proof/laws/event_count_laws.h"
-#include "apps/proof/laws/event_laws.h"
-#include "apps/proof/laws/flatland_claims.h"
-#include "apps/proof/laws/flatland_laws.h"
-#include "apps/proof/laws/planar_laws.h"
-#include "apps/proof/laws/receiver_laws.h"
-#include "apps/proof/laws/sight_laws.h"
-#include "apps/proof/laws/spatial_claims.h"
-#include "apps/proof/laws/spatial_laws.h"
+#include "apps/proof/laws/law_lists.h"
 
 namespace gnomon::laws {
 

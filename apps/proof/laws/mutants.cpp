@@ -5,7 +5,7 @@
 #include <span>
 #include <utility>
 
-#include "apps/proof/laws/event_mutants.h"
+#include "apps/proof/laws/law_lists.h"
 #include "apps/proof/laws/planar_definition.h"
 #include "geometry/planar/partition_data.h"
 

@@ -1,4 +1,4 @@
-#include "apps/proof/laws/planar_laws.h"
+#include "apps/proof/laws/law_lists.h"
 
 #include <algorithm>
 #include <array>

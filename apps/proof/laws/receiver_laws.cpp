@@ -1,4 +1,4 @@
-#include "apps/proof/laws/receiver_laws.h"
+#include "apps/proof/laws/law_lists.h"
 
 #include <algorithm>
 

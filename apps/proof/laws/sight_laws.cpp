@@ -1,4 +1,4 @@
-#include "apps/proof/laws/sight_laws.h"
+#include "apps/proof/laws/law_lists.h"
 
 #include <algorithm>
 

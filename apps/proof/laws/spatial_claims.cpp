@@ -1,4 +1,4 @@
-#include "apps/proof/laws/spatial_claims.h"
+#include "apps/proof/laws/law_lists.h"
 
 #include <algorithm>
 #include <array>

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "geometry/visibility/exact_visible_part.h"
 #include "geometry/visibility/visible_fraction.h"
+#include "geometry/visibility/visible_part.h"
 #include "shading/reference_irradiance.h"
 
 namespace gnomon::report {

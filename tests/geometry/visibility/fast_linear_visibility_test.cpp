@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "apps/proof/laws/sight_cases.h"
-#include "geometry/visibility/exact_visible_part.h"
+#include "geometry/visibility/visible_part.h"
 #include "gnomon/visibility.h"
 #include "tests/support/dice.h"
 
