@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "geometry/rounding.h"
-#include "geometry/visibility/exact_vector.h"
+#include "geometry/numbers/exact_vector.h"
+#include "geometry/numbers/rounding.h"
 #include "shading/vector.h"
 
 namespace gnomon::shading {

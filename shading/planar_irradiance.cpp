@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "geometry/kernel.h"
+#include "geometry/numbers/kernel.h"
 #include "geometry/planar/orientation.h"
 #include "gnomon/errors.h"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <span>
 
+#include "geometry/numbers/orientation.h"
 #include "geometry/planar/orientation.h"
-#include "geometry/spatial/orientation.h"
 #include "shading/exact_direction.h"
 #include "shading/vector.h"
 

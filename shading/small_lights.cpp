@@ -6,8 +6,8 @@
 #include <limits>
 #include <optional>
 
-#include "geometry/rounding.h"
-#include "geometry/visibility/exact_vector.h"
+#include "geometry/numbers/exact_vector.h"
+#include "geometry/numbers/rounding.h"
 #include "shading/vector.h"
 
 namespace gnomon {

@@ -5,7 +5,7 @@
 #include <array>
 #include <span>
 
-#include "geometry/kernel.h"
+#include "geometry/numbers/kernel.h"
 #include "geometry/visibility/fast_linear_visibility.h"
 #include "gnomon/irradiance.h"
 #include "gnomon/light.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "apps/gnomon/text.h"
+#include "geometry/bodies/polygon_checks.h"
 #include "geometry/scene/receiver_facets.h"
-#include "geometry/spatial/polygon_checks.h"
 
 namespace gnomon {
 namespace {

@@ -8,10 +8,10 @@
 #include "apps/gnomon/console.h"
 #include "apps/gnomon/element_choice.h"
 #include "apps/gnomon/receiver_rows.h"
+#include "geometry/bodies/closed_surface.h"
 #include "geometry/discontinuity/event_range.h"
 #include "geometry/parallel.h"
 #include "geometry/scene/scene_points.h"
-#include "geometry/spatial/closed_surface.h"
 #include "gnomon/scene.h"
 
 namespace gnomon {

@@ -5,7 +5,7 @@
 
 #include "geometry/discontinuity/receiver_plane.h"
 #include "geometry/discontinuity/wedge.h"
-#include "geometry/rounding.h"
+#include "geometry/numbers/rounding.h"
 
 namespace gnomon {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "geometry/kernel.h"
+#include "geometry/numbers/kernel.h"
 #include "gnomon/point.h"
 
 namespace gnomon::event {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "geometry/discontinuity/receiver_plane.h"
-#include "geometry/rounding.h"
+#include "geometry/numbers/rounding.h"
 
 namespace gnomon::event {
 namespace {

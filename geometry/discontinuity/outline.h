@@ -8,7 +8,7 @@
 
 #include "geometry/discontinuity/event_scene.h"
 #include "geometry/discontinuity/receiver_plane.h"
-#include "geometry/visibility/exact_vector.h"
+#include "geometry/numbers/exact_vector.h"
 
 namespace gnomon::event {
 

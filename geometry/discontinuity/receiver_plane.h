@@ -6,7 +6,7 @@
 
 #include "geometry/discontinuity/event_point.h"
 #include "geometry/discontinuity/receiver_arrangement.h"
-#include "geometry/visibility/exact_vector.h"
+#include "geometry/numbers/exact_vector.h"
 
 namespace gnomon::event {
 

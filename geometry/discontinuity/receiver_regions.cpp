@@ -2,7 +2,7 @@
 #include <boost/pending/disjoint_sets.hpp>
 
 #include "geometry/discontinuity/receiver_mesh_data.h"
-#include "geometry/rounding.h"
+#include "geometry/numbers/rounding.h"
 
 namespace gnomon {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "geometry/discontinuity/passage.h"
 #include "geometry/discontinuity/shaft.h"
-#include "geometry/rounding.h"
+#include "geometry/numbers/rounding.h"
 
 namespace gnomon::event {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "geometry/rounding.h"
+#include "geometry/numbers/rounding.h"
 
 namespace gnomon {
 

@@ -1,6 +1,6 @@
 #include "geometry/discontinuity/vertex_shadows.h"
 
-#include "geometry/visibility/exact_vector.h"
+#include "geometry/numbers/exact_vector.h"
 
 namespace gnomon::event {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/kernel.h"
+#include "geometry/numbers/kernel.h"
 #include "gnomon/flatland_regions.h"
 
 namespace gnomon::planar {

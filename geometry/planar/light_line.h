@@ -4,7 +4,7 @@
 #include <limits>
 #include <span>
 
-#include "geometry/kernel.h"
+#include "geometry/numbers/kernel.h"
 #include "geometry/planar/exact_polygon.h"
 #include "gnomon/flatland.h"
 

@@ -5,11 +5,11 @@
 #include <unordered_map>
 #include <utility>
 
-#include "geometry/boxes.h"
+#include "geometry/bodies/boxes.h"
+#include "geometry/numbers/rounding.h"
 #include "geometry/planar/event_arrangement.h"
 #include "geometry/planar/partition_data.h"
 #include "geometry/planar/sight_query.h"
-#include "geometry/rounding.h"
 #include "gnomon/errors.h"
 #include "gnomon/flatland_partition.h"
 

@@ -9,8 +9,8 @@
 #include <map>
 #include <utility>
 
+#include "geometry/numbers/rounding.h"
 #include "geometry/planar/partition_data.h"
-#include "geometry/rounding.h"
 #include "gnomon/errors.h"
 
 namespace gnomon::planar {

@@ -7,12 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/kernel.h"
+#include "geometry/numbers/kernel.h"
+#include "geometry/numbers/rounding.h"
 #include "geometry/planar/light_line.h"
 #include "geometry/planar/partition_data.h"
 #include "geometry/planar/sight_query.h"
 #include "geometry/planar/viewpoint.h"
-#include "geometry/rounding.h"
 
 namespace gnomon::planar {
 namespace {

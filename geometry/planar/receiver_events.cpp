@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/numbers/rounding.h"
 #include "geometry/planar/event_rays.h"
 #include "geometry/planar/light_line.h"
 #include "geometry/planar/sight_query.h"
-#include "geometry/rounding.h"
 #include "gnomon/errors.h"
 
 namespace gnomon::planar {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/boxes.h"
+#include "geometry/bodies/boxes.h"
+#include "geometry/numbers/rounding.h"
 #include "geometry/planar/exact_polygon.h"
-#include "geometry/rounding.h"
 #include "gnomon/errors.h"
 
 namespace gnomon::planar {

@@ -7,10 +7,10 @@
 #include <numeric>
 #include <utility>
 
+#include "geometry/numbers/rounding.h"
 #include "geometry/planar/light_line.h"
 #include "geometry/planar/orientation.h"
 #include "geometry/planar/sight_query.h"
-#include "geometry/rounding.h"
 
 namespace gnomon::planar {
 namespace {

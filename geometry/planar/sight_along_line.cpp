@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/numbers/rounding.h"
 #include "geometry/planar/light_line.h"
 #include "geometry/planar/orientation.h"
 #include "geometry/planar/sight_query.h"
-#include "geometry/rounding.h"
 
 namespace gnomon::planar {
 namespace {

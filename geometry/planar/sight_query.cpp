@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/numbers/rounding.h"
 #include "geometry/planar/light_line.h"
 #include "geometry/planar/orientation.h"
-#include "geometry/rounding.h"
 
 namespace gnomon::planar {
 namespace {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/kernel.h"
+#include "geometry/numbers/kernel.h"
 #include "geometry/planar/viewpoint.h"
 #include "gnomon/flatland.h"
 

@@ -5,9 +5,9 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/numbers/rounding.h"
 #include "geometry/planar/light_line.h"
 #include "geometry/planar/orientation.h"
-#include "geometry/rounding.h"
 
 namespace gnomon::planar {
 namespace {

@@ -9,9 +9,9 @@
 #include <optional>
 #include <utility>
 
+#include "geometry/bodies/polygon_checks.h"
 #include "geometry/scene/flat_ring.h"
 #include "geometry/scene/ring_triangles.h"
-#include "geometry/spatial/polygon_checks.h"
 
 namespace gnomon {
 namespace {

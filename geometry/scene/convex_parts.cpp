@@ -2,9 +2,9 @@
 
 #include <utility>
 
+#include "geometry/bodies/polygon_checks.h"
 #include "geometry/scene/convex_partition.h"
 #include "geometry/scene/polygon_rings.h"
-#include "geometry/spatial/polygon_checks.h"
 
 namespace gnomon {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <CGAL/Polygon_2_algorithms.h>
 
-#include "geometry/spatial/polygon_checks.h"
+#include "geometry/bodies/polygon_checks.h"
 
 namespace gnomon {
 

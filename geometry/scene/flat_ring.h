@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/kernel.h"
+#include "geometry/numbers/kernel.h"
 #include "geometry/scene/polygon_rings.h"
 
 namespace gnomon {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <utility>
 
-#include "geometry/rounding.h"
-#include "geometry/spatial/orientation.h"
-#include "geometry/spatial/polygon_checks.h"
-#include "geometry/visibility/exact_vector.h"
+#include "geometry/bodies/polygon_checks.h"
+#include "geometry/numbers/exact_vector.h"
+#include "geometry/numbers/orientation.h"
+#include "geometry/numbers/rounding.h"
 
 namespace gnomon {
 namespace {

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "geometry/bodies/polygon_checks.h"
 #include "geometry/scene/polygon_refusal.h"
 #include "geometry/scene/polygon_rings.h"
-#include "geometry/spatial/polygon_checks.h"
 
 namespace gnomon {
 

@@ -1,8 +1,8 @@
 #include "geometry/scene/polygon_refusal.h"
 
+#include "geometry/bodies/polygon_checks.h"
 #include "geometry/scene/flat_ring.h"
 #include "geometry/scene/json_node.h"
-#include "geometry/spatial/polygon_checks.h"
 
 namespace gnomon {
 

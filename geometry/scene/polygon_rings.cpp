@@ -8,8 +8,8 @@
 #include <tuple>
 #include <utility>
 
-#include "geometry/kernel.h"
-#include "geometry/spatial/polygon_checks.h"
+#include "geometry/bodies/polygon_checks.h"
+#include "geometry/numbers/kernel.h"
 
 namespace gnomon {
 namespace {

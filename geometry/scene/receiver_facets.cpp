@@ -4,8 +4,8 @@
 #include <numeric>
 #include <utility>
 
+#include "geometry/bodies/polygon_checks.h"
 #include "geometry/scene/convex_partition.h"
-#include "geometry/spatial/polygon_checks.h"
 #include "gnomon/blocker.h"
 #include "gnomon/scene.h"
 

@@ -4,10 +4,10 @@
 #include <map>
 #include <tuple>
 
+#include "geometry/numbers/orientation.h"
 #include "geometry/scene/json_text.h"
 #include "geometry/scene/receiver_facets.h"
 #include "geometry/scene/scene_points.h"
-#include "geometry/spatial/orientation.h"
 
 namespace gnomon {
 namespace {

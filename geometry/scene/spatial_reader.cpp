@@ -2,11 +2,11 @@
 
 #include <utility>
 
+#include "geometry/bodies/polygon_checks.h"
 #include "geometry/scene/mesh_reader.h"
 #include "geometry/scene/polygon_reader.h"
 #include "geometry/scene/polygon_refusal.h"
 #include "geometry/scene/receiver_facets.h"
-#include "geometry/spatial/polygon_checks.h"
 
 namespace gnomon {
 namespace {

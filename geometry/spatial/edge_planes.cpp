@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "geometry/kernel.h"
+#include "geometry/numbers/kernel.h"
 
 namespace gnomon {
 namespace {

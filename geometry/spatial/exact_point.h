@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "geometry/kernel.h"
+#include "geometry/numbers/kernel.h"
 #include "gnomon/point.h"
 
 namespace gnomon {

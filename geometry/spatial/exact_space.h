@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "geometry/kernel.h"
+#include "geometry/numbers/kernel.h"
 #include "gnomon/shadow_volume.h"
 
 namespace gnomon {

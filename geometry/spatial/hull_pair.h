@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "geometry/spatial/hull.h"
-#include "geometry/spatial/orientation.h"
+#include "geometry/bodies/hull.h"
+#include "geometry/numbers/orientation.h"
 
 namespace gnomon {
 

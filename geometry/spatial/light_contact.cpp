@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "geometry/kernel.h"
+#include "geometry/numbers/kernel.h"
 #include "geometry/spatial/exact_point.h"
 
 namespace gnomon {

@@ -9,8 +9,8 @@
 
 #include <CGAL/determinant.h>
 
-#include "geometry/boxes.h"
-#include "geometry/rounding.h"
+#include "geometry/bodies/boxes.h"
+#include "geometry/numbers/rounding.h"
 #include "geometry/spatial/exposed_facets.h"
 #include "geometry/spatial/pair_polyhedra.h"
 #include "geometry/spatial/touching_sheets.h"

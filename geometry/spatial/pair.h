@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/spatial/orientation.h"
+#include "geometry/numbers/orientation.h"
 #include "gnomon/blocker.h"
 #include "gnomon/light.h"
 #include "gnomon/pair.h"

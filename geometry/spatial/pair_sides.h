@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/spatial/orientation.h"
+#include "geometry/numbers/orientation.h"
 #include "gnomon/light.h"
 #include "gnomon/pair.h"
 

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <limits>
 
-#include "geometry/rounding.h"
+#include "geometry/numbers/rounding.h"
 #include "geometry/spatial/exact_point.h"
 
 namespace gnomon {

@@ -3,7 +3,7 @@
 #include <array>
 #include <optional>
 
-#include "geometry/double_words.h"
+#include "geometry/numbers/double_double.h"
 #include "geometry/spatial/exact_space.h"
 
 namespace gnomon {

@@ -1,6 +1,6 @@
 #include "geometry/spatial/vertex_rounding.h"
 
-#include "geometry/rounding.h"
+#include "geometry/numbers/rounding.h"
 
 namespace gnomon {
 

@@ -7,8 +7,8 @@
 
 #include <CGAL/determinant.h>
 
-#include "geometry/boxes.h"
-#include "geometry/rounding.h"
+#include "geometry/bodies/boxes.h"
+#include "geometry/numbers/rounding.h"
 #include "geometry/spatial/clipping.h"
 #include "geometry/spatial/difference_surface.h"
 #include "geometry/spatial/pair_polyhedra.h"

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "geometry/boxes.h"
+#include "geometry/bodies/boxes.h"
 #include "geometry/visibility/blocker_content.h"
 #include "geometry/visibility/box_tree.h"
 

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/rounding.h"
-#include "geometry/spatial/orientation.h"
+#include "geometry/numbers/orientation.h"
+#include "geometry/numbers/rounding.h"
 #include "geometry/visibility/blocker_content.h"
 #include "geometry/visibility/boundary_walk.h"
 #include "geometry/visibility/outline_builder.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "geometry/spatial/orientation.h"
+#include "geometry/numbers/orientation.h"
 #include "geometry/visibility/blocker_content.h"
 #include "geometry/visibility/receiver_candidates.h"
 

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/kernel.h"
-#include "geometry/rounding.h"
-#include "geometry/spatial/orientation.h"
+#include "geometry/numbers/kernel.h"
+#include "geometry/numbers/orientation.h"
+#include "geometry/numbers/rounding.h"
 #include "geometry/visibility/blocker_content.h"
 #include "geometry/visibility/boundary_walk.h"
 #include "geometry/visibility/flat_area.h"

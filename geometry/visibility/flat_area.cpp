@@ -1,7 +1,7 @@
 #include "geometry/visibility/flat_area.h"
 
-#include "geometry/kernel.h"
-#include "geometry/rounding.h"
+#include "geometry/numbers/kernel.h"
+#include "geometry/numbers/rounding.h"
 
 namespace gnomon::sight {
 

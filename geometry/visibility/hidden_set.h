@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "geometry/visibility/exact_vector.h"
+#include "geometry/numbers/exact_vector.h"
 #include "gnomon/blocker.h"
 
 namespace gnomon {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "geometry/rounding.h"
+#include "geometry/numbers/rounding.h"
 #include "geometry/visibility/receiver_front.h"
 
 namespace gnomon::sight {

@@ -2,7 +2,7 @@
 #include <optional>
 #include <utility>
 
-#include "geometry/boxes.h"
+#include "geometry/bodies/boxes.h"
 #include "geometry/visibility/prepared_obstacles.h"
 
 namespace gnomon {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "geometry/spatial/orientation.h"
+#include "geometry/numbers/orientation.h"
 
 namespace gnomon::sight {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "geometry/spatial/orientation.h"
+#include "geometry/numbers/orientation.h"
 
 namespace gnomon::sight {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/spatial/orientation.h"
+#include "geometry/numbers/orientation.h"
 
 namespace gnomon {
 namespace {

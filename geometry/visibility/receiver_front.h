@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "geometry/visibility/exact_vector.h"
+#include "geometry/numbers/exact_vector.h"
 #include "gnomon/visibility.h"
 
 namespace gnomon {

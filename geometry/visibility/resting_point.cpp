@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "geometry/spatial/orientation.h"
+#include "geometry/numbers/orientation.h"
 #include "geometry/visibility/blocker_content.h"
 #include "geometry/visibility/prepared_obstacles.h"
 #include "geometry/visibility/rounding_distance.h"

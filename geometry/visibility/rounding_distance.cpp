@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "geometry/visibility/exact_vector.h"
+#include "geometry/numbers/exact_vector.h"
 #include "geometry/visibility/sightline.h"
 
 namespace gnomon::sight {

@@ -1,7 +1,7 @@
 #include "geometry/visibility/sightline.h"
 
-#include "geometry/kernel.h"
-#include "geometry/spatial/orientation.h"
+#include "geometry/numbers/kernel.h"
+#include "geometry/numbers/orientation.h"
 
 namespace gnomon::sight {
 namespace {

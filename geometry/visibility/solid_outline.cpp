@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "geometry/spatial/orientation.h"
+#include "geometry/numbers/orientation.h"
 #include "geometry/visibility/outline_builder.h"
 
 // What OutlineBuilder does with solids: they show their silhouette, and hide from within.

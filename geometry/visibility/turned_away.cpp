@@ -4,8 +4,8 @@
 #include <boost/pending/disjoint_sets.hpp>
 #include <utility>
 
-#include "geometry/boxes.h"
-#include "geometry/spatial/orientation.h"
+#include "geometry/bodies/boxes.h"
+#include "geometry/numbers/orientation.h"
 
 namespace gnomon::sight {
 namespace {
@@ -21,7 +21,8 @@ struct Surfaces {
 
 Surfaces surfaces_of(const Content& blockers) {
   const std::size_t count = blockers.shapes.size();
-  Surfaces result{boost::disjoint_sets_with_storage<>(count), std::vector<bool>(count, true), std::vector<Box3>(count, empty_box3())};
+  Surfaces result{boost::disjoint_sets_with_storage<>(count), std::vector<bool>(count, true),
+                  std::vector<Box3>(count, empty_box3())};
   for (std::uint32_t s = 0; s < count; ++s) {
     const Content::Shape& shape = blockers.shapes[s];
     for (std::uint32_t k = shape.first; k < shape.first + shape.count; ++k) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "geometry/spatial/closed_surface.h"
+#include "geometry/bodies/closed_surface.h"
 #include "geometry/visibility/prepared_obstacles.h"
 #include "geometry/visibility/reach.h"
 #include "geometry/visibility/receiver_front.h"

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/rounding.h"
+#include "geometry/numbers/rounding.h"
 
 namespace gnomon {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/visibility/exact_vector.h"
+#include "geometry/numbers/exact_vector.h"
 #include "geometry/visibility/hidden_set.h"
 #include "gnomon/visibility.h"
 

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "geometry/kernel.h"
+#include "geometry/numbers/kernel.h"
 #include "gnomon/pair.h"
 
 namespace gnomon::benchmarks {

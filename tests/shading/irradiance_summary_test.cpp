@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "geometry/kernel.h"
+#include "geometry/numbers/kernel.h"
 #include "gnomon/errors.h"
 
 namespace gnomon {

@@ -8,7 +8,7 @@
 
 #include "apps/proof/laws/flatland_cases.h"
 #include "apps/proof/laws/planar_definition.h"
-#include "geometry/rounding.h"
+#include "geometry/numbers/rounding.h"
 
 namespace gnomon {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "geometry/kernel.h"
+#include "geometry/numbers/kernel.h"
 #include "tests/support/dice.h"
 
 namespace gnomon {

@@ -12,7 +12,7 @@
 #include <utility>
 #include <variant>
 
-#include "geometry/kernel.h"
+#include "geometry/numbers/kernel.h"
 #include "geometry/scene/convex_partition.h"
 #include "geometry/scene/receiver_facets.h"
 #include "geometry/scene/scene_points.h"

@@ -6,7 +6,7 @@
 
 #include "apps/proof/laws/draw.h"
 #include "apps/proof/laws/pair_generator.h"
-#include "geometry/spatial/polygon_checks.h"
+#include "geometry/bodies/polygon_checks.h"
 #include "gnomon/pair.h"
 #include "gnomon/shadow_volume.h"
 #include "gnomon/visibility.h"

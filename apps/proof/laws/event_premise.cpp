@@ -6,7 +6,7 @@
 
 #include "apps/proof/laws/definition.h"
 #include "apps/proof/laws/pair_generator.h"
-#include "geometry/rounding.h"
+#include "geometry/numbers/rounding.h"
 
 namespace gnomon::laws {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "geometry/kernel.h"
+#include "geometry/numbers/kernel.h"
 
 namespace gnomon::laws {
 

@@ -8,7 +8,7 @@
 #include "apps/proof/laws/draw.h"
 #include "apps/proof/laws/pair_generator.h"
 #include "apps/proof/laws/point_text.h"
-#include "geometry/spatial/polygon_checks.h"
+#include "geometry/bodies/polygon_checks.h"
 #include "gnomon/visibility.h"
 
 namespace gnomon::laws {

@@ -5,9 +5,9 @@
 
 #include "apps/proof/report/vectors.h"
 #include "apps/proof/report/volume_peers.h"
-#include "geometry/kernel.h"
-#include "geometry/rounding.h"
-#include "geometry/visibility/exact_vector.h"
+#include "geometry/numbers/exact_vector.h"
+#include "geometry/numbers/kernel.h"
+#include "geometry/numbers/rounding.h"
 
 namespace gnomon::report {
 namespace {

@@ -7,7 +7,7 @@
 #include <random>
 #include <string>
 
-#include "geometry/rounding.h"
+#include "geometry/numbers/rounding.h"
 #include "gnomon/scene.h"
 #include "tests/geometry/discontinuity/mesh_probe.h"
 

@@ -10,7 +10,7 @@
 
 #include "geometry/discontinuity/event_scene.h"
 #include "geometry/discontinuity/seen_vertices.h"
-#include "geometry/spatial/orientation.h"
+#include "geometry/numbers/orientation.h"
 #include "tests/geometry/discontinuity/side_oracle.h"
 #include "tests/support/dice.h"
 

@@ -6,8 +6,8 @@
 #include <sstream>
 #include <utility>
 
-#include "geometry/spatial/orientation.h"
-#include "geometry/spatial/polygon_checks.h"
+#include "geometry/bodies/polygon_checks.h"
+#include "geometry/numbers/orientation.h"
 
 namespace gnomon::test_support {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "geometry/visibility/exact_vector.h"
+#include "geometry/numbers/exact_vector.h"
 #include "gnomon/blocker.h"
 #include "gnomon/light.h"
 #include "gnomon/names.h"

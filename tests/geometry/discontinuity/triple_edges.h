@@ -5,7 +5,7 @@
 #include <span>
 
 #include "geometry/discontinuity/event_scene.h"
-#include "geometry/visibility/exact_vector.h"
+#include "geometry/numbers/exact_vector.h"
 
 namespace gnomon::event {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/kernel.h"
+#include "geometry/numbers/kernel.h"
 
 namespace gnomon::planar {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "apps/proof/laws/flatland_cases.h"
 #include "apps/proof/laws/planar_definition.h"
+#include "geometry/numbers/rounding.h"
 #include "geometry/planar/light_line.h"
 #include "geometry/planar/partition_data.h"
-#include "geometry/rounding.h"
 #include "gnomon/errors.h"
 #include "gnomon/flatland_regions.h"
 

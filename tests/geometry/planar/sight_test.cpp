@@ -8,8 +8,8 @@
 
 #include "apps/proof/laws/flatland_cases.h"
 #include "apps/proof/laws/planar_definition.h"
+#include "geometry/numbers/rounding.h"
 #include "geometry/planar/sight_query.h"
-#include "geometry/rounding.h"
 
 namespace gnomon::planar {
 namespace {

@@ -9,9 +9,9 @@
 
 #include "apps/proof/laws/draw.h"
 #include "apps/proof/laws/exact.h"
+#include "geometry/bodies/closed_surface.h"
+#include "geometry/bodies/polygon_checks.h"
 #include "geometry/scene/polygon_examination.h"
-#include "geometry/spatial/closed_surface.h"
-#include "geometry/spatial/polygon_checks.h"
 
 namespace gnomon {
 namespace {

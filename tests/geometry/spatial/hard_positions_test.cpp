@@ -5,7 +5,7 @@
 #include <map>
 #include <numbers>
 
-#include "geometry/kernel.h"
+#include "geometry/numbers/kernel.h"
 #include "gnomon/pair.h"
 #include "gnomon/scene.h"
 #include "gnomon/shadow_mesh.h"

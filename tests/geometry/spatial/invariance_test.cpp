@@ -9,8 +9,8 @@
 
 #include "apps/proof/laws/any_pair.h"
 #include "apps/proof/laws/draw.h"
-#include "geometry/kernel.h"
-#include "geometry/spatial/polygon_checks.h"
+#include "geometry/bodies/polygon_checks.h"
+#include "geometry/numbers/kernel.h"
 #include "gnomon/pair.h"
 #include "gnomon/shadow_mesh.h"
 #include "tests/geometry/spatial/named_facets.h"

@@ -4,8 +4,8 @@
 #include <tuple>
 
 #include "apps/proof/laws/pair_generator.h"
-#include "geometry/kernel.h"
-#include "geometry/spatial/orientation.h"
+#include "geometry/numbers/kernel.h"
+#include "geometry/numbers/orientation.h"
 
 namespace gnomon {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "geometry/kernel.h"
+#include "geometry/numbers/kernel.h"
 
 namespace gnomon {
 namespace {

@@ -14,7 +14,7 @@
 #include "apps/proof/laws/draw.h"
 #include "apps/proof/laws/pair_generator.h"
 #include "apps/proof/laws/spatial_cases.h"
-#include "geometry/rounding.h"
+#include "geometry/numbers/rounding.h"
 #include "geometry/spatial/difference_surface.h"
 #include "geometry/spatial/pair_polyhedra.h"
 #include "geometry/spatial/vertex_rounding.h"

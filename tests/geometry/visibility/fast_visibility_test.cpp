@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/kernel.h"
+#include "geometry/numbers/kernel.h"
 #include "tests/geometry/visibility/splitting_oracle.h"
 #include "tests/support/dice.h"
 

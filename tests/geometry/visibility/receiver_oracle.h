@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/proof/laws/sight_cases.h"
-#include "geometry/kernel.h"
+#include "geometry/numbers/kernel.h"
 #include "geometry/visibility/receiver_front.h"
 #include "gnomon/names.h"
 

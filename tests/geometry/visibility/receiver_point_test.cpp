@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "apps/proof/laws/draw.h"
-#include "geometry/rounding.h"
+#include "geometry/numbers/rounding.h"
 #include "gnomon/visibility.h"
 #include "tests/geometry/visibility/receiver_oracle.h"
 

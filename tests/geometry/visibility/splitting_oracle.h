@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "apps/proof/laws/exact.h"
-#include "geometry/kernel.h"
+#include "geometry/numbers/kernel.h"
 #include "gnomon/blocker.h"
 #include "gnomon/light.h"
 #include "gnomon/names.h"

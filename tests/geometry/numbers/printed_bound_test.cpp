@@ -1,4 +1,4 @@
-#include "geometry/printed_bound.h"
+#include "geometry/numbers/printed_bound.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-#include "geometry/kernel.h"
+#include "geometry/numbers/kernel.h"
 
 namespace gnomon {
 namespace {

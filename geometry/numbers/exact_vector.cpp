@@ -1,4 +1,4 @@
-#include "geometry/visibility/exact_vector.h"
+#include "geometry/numbers/exact_vector.h"
 
 namespace gnomon {
 

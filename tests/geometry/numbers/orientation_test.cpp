@@ -1,4 +1,4 @@
-#include "geometry/spatial/orientation.h"
+#include "geometry/numbers/orientation.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -6,7 +6,7 @@
 #include <array>
 
 #include "apps/proof/laws/draw.h"
-#include "geometry/kernel.h"
+#include "geometry/numbers/kernel.h"
 
 namespace gnomon {
 namespace {

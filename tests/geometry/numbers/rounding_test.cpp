@@ -1,4 +1,4 @@
-#include "geometry/rounding.h"
+#include "geometry/numbers/rounding.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "geometry/spatial/hull_triangles.h"
+#include "geometry/bodies/hull_triangles.h"
 
 #include <algorithm>
 #include <limits>
@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "geometry/kernel.h"
-#include "geometry/spatial/orientation.h"
+#include "geometry/numbers/kernel.h"
+#include "geometry/numbers/orientation.h"
 
 namespace gnomon {
 namespace {

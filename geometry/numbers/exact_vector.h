@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/kernel.h"
+#include "geometry/numbers/kernel.h"
 #include "gnomon/point.h"
 
 namespace gnomon {

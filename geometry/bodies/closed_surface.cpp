@@ -1,8 +1,8 @@
-#include "geometry/spatial/closed_surface.h"
+#include "geometry/bodies/closed_surface.h"
 
 #include <algorithm>
 
-#include "geometry/kernel.h"
+#include "geometry/numbers/kernel.h"
 
 namespace gnomon {
 namespace {

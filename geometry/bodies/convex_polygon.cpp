@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "geometry/kernel.h"
-#include "geometry/spatial/polygon_checks.h"
+#include "geometry/bodies/polygon_checks.h"
+#include "geometry/numbers/kernel.h"
 #include "gnomon/errors.h"
 
 namespace gnomon {

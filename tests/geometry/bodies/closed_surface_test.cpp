@@ -1,4 +1,4 @@
-#include "geometry/spatial/closed_surface.h"
+#include "geometry/bodies/closed_surface.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

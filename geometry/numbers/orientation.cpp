@@ -1,8 +1,8 @@
-#include "geometry/spatial/orientation.h"
+#include "geometry/numbers/orientation.h"
 
 #include <CGAL/determinant.h>
 
-#include "geometry/kernel.h"
+#include "geometry/numbers/kernel.h"
 
 namespace gnomon {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/kernel.h"
+#include "geometry/numbers/kernel.h"
 #include "gnomon/point.h"
 
 namespace gnomon {

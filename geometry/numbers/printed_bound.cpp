@@ -1,4 +1,4 @@
-#include "geometry/printed_bound.h"
+#include "geometry/numbers/printed_bound.h"
 
 #include <array>
 #include <charconv>

@@ -1,4 +1,4 @@
-#include "geometry/spatial/hull.h"
+#include "geometry/bodies/hull.h"
 
 #include <unordered_map>
 

@@ -7,9 +7,9 @@
 #include <tuple>
 #include <utility>
 
-#include "geometry/kernel.h"
-#include "geometry/spatial/hull_triangles.h"
-#include "geometry/spatial/orientation.h"
+#include "geometry/bodies/hull_triangles.h"
+#include "geometry/numbers/kernel.h"
+#include "geometry/numbers/orientation.h"
 #include "gnomon/errors.h"
 
 namespace gnomon {

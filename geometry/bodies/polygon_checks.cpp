@@ -1,4 +1,4 @@
-#include "geometry/spatial/polygon_checks.h"
+#include "geometry/bodies/polygon_checks.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "geometry/kernel.h"
+#include "geometry/numbers/kernel.h"
 #include "geometry/spatial/exact_point.h"
 
 namespace gnomon {
