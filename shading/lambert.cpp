@@ -11,8 +11,6 @@
 namespace gnomon {
 namespace {
 
-using shading::cross;
-using shading::dot;
 using shading::length;
 using shading::length_above;
 using shading::of_size_one;
@@ -22,7 +20,6 @@ using shading::twice;
 using shading::unit;
 using shading::Vector;
 using shading::vector;
-using shading::VectorOf;
 using shading::VectorPair;
 using shading::vectors;
 
@@ -115,13 +112,13 @@ class ArcSum {
 
 /// sin²(angle / 2) between two directions; `inverse` is 1 over the product of their lengths.
 template <class Number>
-Number half_angle(const VectorOf<Number>& a, const VectorOf<Number>& b, const Number& inverse) {
+Number half_angle(const Vector3<Number>& a, const Vector3<Number>& b, const Number& inverse) {
   return 0.5 - 0.5 * inverse * dot(a, b);
 }
 
 /// Angle times cosine, of at most 60 degrees: x is half_angle().
 template <class Number>
-Number arc(const VectorOf<Number>& normal, const VectorOf<Number>& a, const VectorOf<Number>& b, const Number& inverse,
+Number arc(const Vector3<Number>& normal, const Vector3<Number>& a, const Vector3<Number>& b, const Number& inverse,
            const Number& x) {
   return inverse * dot(normal, cross(a, b)) * arc_factor(x);
 }

@@ -12,8 +12,6 @@
 namespace gnomon {
 namespace {
 
-using shading::cross;
-using shading::dot;
 using shading::length;
 using shading::length_above;
 using shading::of_size_one;

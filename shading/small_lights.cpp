@@ -13,8 +13,6 @@
 namespace gnomon {
 namespace {
 
-using shading::cross;
-using shading::dot;
 using shading::exponent;
 using shading::length;
 using shading::length_above;
@@ -64,9 +62,6 @@ Vector unit_vector(const Vector& a) {
 }
 
 /// The nearest doubles again; infinite where the difference is.
-Vector difference(const Point3& a, const Point3& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
 
 Irradiance infinite() {
   return {HUGE_VAL, HUGE_VAL};
@@ -259,7 +254,7 @@ Irradiance above_horizon(End from, End to, const Crosswise& light, const Vector&
 
 Irradiance point_irradiance(const PointLight& light, const Point3& p, const Point3& normal) {
   if (light.position == p) return infinite();
-  const Vector towards = difference(light.position, p);
+  const Vector towards = step(p, light.position);
   if (!(length_above(towards) < HUGE_VAL)) return {0, std::numeric_limits<double>::denorm_min()};
   const Vector d = of_size_one(towards);
   return in_true_size(cosine_over(direction(normal), d, dot(d, d)), exponent(towards), 2);
@@ -291,8 +286,8 @@ Irradiance linear_irradiance(const LinearLight& light, std::span<const std::arra
 
 Irradiance linear_irradiance(const LinearLight& light, const LinearLightSeen& seen, const Point3& p,
                              const Point3& normal) {
-  const Vector true_start = difference(light.start, p);
-  const Vector true_along = difference(light.end, light.start);
+  const Vector true_start = step(p, light.start);
+  const Vector true_along = step(light.start, light.end);
   const int size = std::max(exponent(true_start), exponent(true_along));
   const Vector start = scaled(true_start, -size);
   const Vector along = scaled(true_along, -size);

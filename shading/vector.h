@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/numbers/vector3.h"
 #include "geometry/visibility/fast_visibility.h"
 #include "gnomon/point.h"
 #include "shading/pair.h"
@@ -14,16 +15,8 @@ namespace gnomon::shading {
 /// The largest relative error of one rounding.
 inline constexpr double unit = 0x1p-53;
 
-/// Of doubles, or of several at once.
-template <class Number>
-struct VectorOf {
-  Number x{};
-  Number y{};
-  Number z{};
-};
-
-using Vector = VectorOf<double>;
-using VectorPair = VectorOf<Pair>;
+using Vector = Vector3<double>;
+using VectorPair = Vector3<Pair>;
 
 inline Vector vector(const SightDirection& d) {
   return {d.x, d.y, d.z};
@@ -35,24 +28,6 @@ inline VectorPair vectors(const SightDirection& a, const SightDirection& b) {
 
 inline VectorPair twice(const Vector& a) {
   return {Pair{a.x, a.x}, Pair{a.y, a.y}, Pair{a.z, a.z}};
-}
-
-inline Vector operator+(const Vector& a, const Vector& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-
-inline Vector operator*(double s, const Vector& a) {
-  return {s * a.x, s * a.y, s * a.z};
-}
-
-template <class Number>
-Number dot(const VectorOf<Number>& a, const VectorOf<Number>& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-template <class Number>
-VectorOf<Number> cross(const VectorOf<Number>& a, const VectorOf<Number>& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 inline double length(const Vector& a) {
@@ -83,7 +58,7 @@ inline double with_underflow(double bound) {
 
 /// At least the length, and less than twice it.
 template <class Number>
-Number length_above(const VectorOf<Number>& a) {
+Number length_above(const Vector3<Number>& a) {
   return magnitude(a.x) + magnitude(a.y) + magnitude(a.z);
 }
 

@@ -8,16 +8,16 @@
 #include <tuple>
 #include <vector>
 
+#include "geometry/numbers/exact_vector.h"
 #include "geometry/numbers/kernel.h"
-#include "geometry/spatial/exact_point.h"
 
 namespace gnomon {
 namespace {
 
 using PointTriple = std::array<std::uint32_t, 3>;
 
-ExactPoint exact_difference(const Point3& p, const Point3& q) {
-  return difference(exact_point(p), exact_point(q));
+ExactVector exact_difference(const Point3& p, const Point3& q) {
+  return exact(p) - exact(q);
 }
 
 /// The square root of a rational number of any magnitude, to a few units of the last place; at least the smallest
@@ -68,7 +68,7 @@ Rational squared_diameter(std::span<const Point3> points) {
   for (std::size_t i = 0; i < rough.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (squared_distance(rough[i], rough[j]) < largest * (1 - 1e-14)) continue;
-      const ExactPoint d = exact_difference(points[i], points[j]);
+      const ExactVector d = exact_difference(points[i], points[j]);
       exact = std::max<Rational>(exact, dot(d, d));
     }
   }
@@ -85,7 +85,7 @@ std::uint32_t first_large(const std::vector<Rational>& squares) {
 /// As PolygonPlane says for vertices that are not coplanar. `largest` receives the largest squared distance from the
 /// first vertex.
 PointTriple wide_triple(std::span<const Point3> points, Rational& largest) {
-  std::vector<ExactPoint> from_first;
+  std::vector<ExactVector> from_first;
   std::vector<Rational> squares;
   for (const Point3& p : points) {
     from_first.push_back(exact_difference(p, points[0]));
@@ -94,7 +94,7 @@ PointTriple wide_triple(std::span<const Point3> points, Rational& largest) {
   largest = *std::max_element(squares.begin(), squares.end());
   const std::uint32_t a = first_large(squares);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const ExactPoint area = cross(from_first[a], from_first[i]);
+    const ExactVector area = cross(from_first[a], from_first[i]);
     squares[i] = dot(area, area);
   }
   return {0, a, first_large(squares)};
@@ -160,7 +160,7 @@ PolygonPlane rounded_plane(std::span<const Point3> points) {
   Rational from_first;
   const PointTriple triple = wide_triple(points, from_first);
   const Point3& p = points[triple[0]];
-  const ExactPoint normal = cross(exact_difference(points[triple[1]], p), exact_difference(points[triple[2]], p));
+  const ExactVector normal = cross(exact_difference(points[triple[1]], p), exact_difference(points[triple[2]], p));
   PolygonPlane plane{dominant_axis(points, triple)};
   Rational farthest = 0;
   for (std::uint32_t i = 0; i < points.size(); ++i) {

@@ -45,7 +45,7 @@ RoughHalfSpace rough_side(const RoughHalfSpace& plane, const RoughVector& along,
 }
 
 RoughHalfSpace turned_to(const RoughHalfSpace& plane, const Point3& inside) {
-  const RoughVector way = difference(inside, plane.origin);
+  const RoughVector way = step(plane.origin, inside);
   const double value = plane.normal[0] * way[0] + plane.normal[1] * way[1] + plane.normal[2] * way[2];
   if (!(std::fabs(value) > plane.error * sum_norm(way) + plane.offset)) return {{0, 0, 0}, plane.origin, 0, 0};
   return value > 0 ? plane : reversed(plane);

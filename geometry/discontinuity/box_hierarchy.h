@@ -6,10 +6,13 @@
 #include <span>
 #include <vector>
 
-#include "geometry/discontinuity/rough_vector.h"
+#include "geometry/numbers/vector3.h"
 #include "gnomon/point.h"
 
 namespace gnomon::event {
+
+/// A vector in doubles, for searches that let through what doubles do not tell.
+using RoughVector = Vector3<double>;
 
 /// A half-space of which points certainly outside can be told, in doubles.
 ///
@@ -32,7 +35,7 @@ RoughHalfSpace rough_side(const RoughHalfSpace& plane, const RoughVector& along,
                           const Point3& inside);
 
 inline RoughHalfSpace reversed(RoughHalfSpace h) {
-  for (double& n : h.normal) n = -n;
+  h.normal = -1 * h.normal;
   return h;
 }
 

@@ -154,7 +154,7 @@ class CoplanarPairs {
     if (std::all_of(plane.begin(), plane.end(), is_input)) {
       const Point3 &p = scene_.points[plane[0]].input, &q = scene_.points[plane[1]].input,
                    &r = scene_.points[plane[2]].input;
-      both_sides.push_back(rough_half_space(p, difference(q, p), difference(r, p)));
+      both_sides.push_back(rough_half_space(p, step(p, q), step(p, r)));
       both_sides.push_back(reversed(both_sides[0]));
     }
     scene_.shape_boxes.search(both_sides, found_);

@@ -13,7 +13,6 @@ namespace {
 using event::Cone;
 using event::EventScene;
 using event::Pencil;
-using event::Quadruple;
 using event::Wedge;
 
 /// A place in a wedge: `turn` tells the line, from 0 at a to 1 at b; `depth` grows along each line, away from the

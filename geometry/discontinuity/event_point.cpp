@@ -4,7 +4,7 @@ namespace gnomon::event {
 namespace {
 
 template <class Number>
-using Triple = std::array<Number, 3>;
+using Triple = Vector3<Number>;
 
 template <class Number>
 Triple<Number> difference(const Point3& a, const Point3& b) {

@@ -7,13 +7,10 @@
 #include <optional>
 
 #include "geometry/numbers/kernel.h"
+#include "geometry/numbers/vector3.h"
 #include "gnomon/point.h"
 
 namespace gnomon::event {
-
-/// Homogeneous coordinates (x, y, z, w), w positive, or 0 for a direction.
-template <class Number>
-using Quadruple = std::array<Number, 4>;
 
 /// A point of the scene, a point constructed from it, or a direction towards a light infinitely far away.
 struct EventPoint {

@@ -43,7 +43,7 @@ class FaceAsker {
     const PointEnclosure p = data_.plane.spatial(flat);
     Point3 middle{p[0].inf() / 2 + p[0].sup() / 2, p[1].inf() / 2 + p[1].sup() / 2, p[2].inf() / 2 + p[2].sup() / 2};
     const double size = std::max({std::fabs(middle.x), std::fabs(middle.y), std::fabs(middle.z)});
-    for (const Interval& c : p) {
+    for (const Interval& c : {p.x, p.y, p.z}) {
       if (!(c.sup() - c.inf() <= 0x1p-44 * size)) return std::nullopt;
     }
     lit_.scene.shape_boxes.search(shaft(lit_.scene, {&middle, 1}), near_);

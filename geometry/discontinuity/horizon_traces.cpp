@@ -102,8 +102,7 @@ class HorizonTraces {
     std::vector<Point3> points;
     for (const PointId p : receiver_.corners) points.push_back(scene_.points[p].input);
     std::vector<RoughHalfSpace> region = shaft(scene_, points);
-    region.push_back(
-        rough_half_space(points[0], event::difference(points[1], points[0]), event::difference(points[2], points[0])));
+    region.push_back(rough_half_space(points[0], step(points[0], points[1]), step(points[0], points[2])));
     region.push_back(reversed(region.back()));
     std::vector<ShapeId> found;
     scene_.shape_boxes.search(region, found);

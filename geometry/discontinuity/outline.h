@@ -15,18 +15,6 @@ namespace gnomon::event {
 /// A vector, somewhere in a box.
 using NearVector = PointEnclosure;
 
-inline NearVector operator-(const NearVector& a, const NearVector& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-inline NearVector cross(const NearVector& a, const NearVector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-inline Interval dot(const NearVector& a, const NearVector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /// A point, exactly and nearby. Requires: the rounding mode is protected.
 struct Place {
   ExactVector exact;

@@ -11,7 +11,7 @@
 namespace gnomon::event {
 
 /// A point of space, somewhere in a box.
-using PointEnclosure = std::array<Interval, 3>;
+using PointEnclosure = Vector3<Interval>;
 
 /// The plane of a flat polygon.
 ///

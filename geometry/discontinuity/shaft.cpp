@@ -30,7 +30,7 @@ class ShaftBuilder {
     for (std::size_t i = face_; i < points_.size(); ++i) {
       const std::size_t j = i + 1 < points_.size() ? i + 1 : face_;
       for (std::size_t k = 0; k < std::min<std::size_t>(face_, 8); ++k) {
-        try_normal(cross(difference(points_[i], points_[k]), difference(points_[j], points_[k])));
+        try_normal(cross(step(points_[k], points_[i]), step(points_[k], points_[j])));
       }
     }
     return std::move(found_);
@@ -44,7 +44,7 @@ class ShaftBuilder {
 
   RoughVector way_to_light() const {
     if (!ways_.empty()) return ways_.front();
-    return difference(points_.back(), points_.front());
+    return step(points_.front(), points_.back());
   }
 
   /// Both half-spaces of planes with this normal that hold everything.

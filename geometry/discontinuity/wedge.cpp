@@ -21,7 +21,7 @@ class EdgeSearch {
       const Point3& c = scene_.points[scene_.light_edges[k].a].input;
       const Point3& d = scene_.points[scene_.light_edges[k].b].input;
       const Point3& inside = scene_.points[scene_.light_edges[(k + 1) % n].b].input;
-      const RoughHalfSpace h = turned_to(rough_half_space(v, difference(c, v), difference(d, v)), inside);
+      const RoughHalfSpace h = turned_to(rough_half_space(v, step(v, c), step(v, d)), inside);
       half_spaces_.push_back(kind == WedgeKind::edge_first ? h : reversed(h));
     }
     if (kind == WedgeKind::edge_first) half_spaces_.push_back(before_light(side));
@@ -34,7 +34,7 @@ class EdgeSearch {
   RoughHalfSpace before_light(int side) const {
     const Point3 &p = scene_.points[scene_.light_plane[0]].input, &q = scene_.points[scene_.light_plane[1]].input,
                  &r = scene_.points[scene_.light_plane[2]].input;
-    const RoughHalfSpace h = rough_half_space(p, difference(q, p), difference(r, p));
+    const RoughHalfSpace h = rough_half_space(p, step(p, q), step(p, r));
     return side > 0 ? h : reversed(h);
   }
 

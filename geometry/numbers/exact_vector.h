@@ -1,21 +1,15 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "geometry/numbers/kernel.h"
+#include "geometry/numbers/vector3.h"
 #include "gnomon/point.h"
 
 namespace gnomon {
 
 /// A point or vector of space with rational coordinates.
-struct ExactVector {
-  Rational x = 0;
-  Rational y = 0;
-  Rational z = 0;
-
-  friend bool operator==(const ExactVector&, const ExactVector&) = default;
-};
+using ExactVector = Vector3<Rational>;
 
 /// A convex polygon with rational vertices.
 using ExactPolygon = std::vector<ExactVector>;
@@ -23,13 +17,6 @@ using ExactPolygon = std::vector<ExactVector>;
 inline ExactVector exact(const Point3& p) {
   return {Rational(p.x), Rational(p.y), Rational(p.z)};
 }
-
-ExactVector operator+(const ExactVector& a, const ExactVector& b);
-ExactVector operator-(const ExactVector& a, const ExactVector& b);
-ExactVector operator*(const Rational& s, const ExactVector& a);
-Rational dot(const ExactVector& a, const ExactVector& b);
-ExactVector cross(const ExactVector& a, const ExactVector& b);
-bool is_zero(const ExactVector& a);
 
 /// A plane, as the linear function that is zero on it.
 struct ExactPlane {

@@ -7,16 +7,13 @@
 #include <vector>
 
 #include "geometry/numbers/kernel.h"
+#include "geometry/numbers/vector3.h"
 #include "gnomon/shadow_volume.h"
 
 namespace gnomon {
 
 using PlaneId = std::uint32_t;
 using VertexId = std::uint32_t;
-
-/// Homogeneous coordinates (x, y, z, w), or a plane's coefficients (a, b, c, d) with a x + b y + c z + d w <= 0 inside.
-template <class Number>
-using Quadruple = std::array<Number, 4>;
 
 /// How a plane is given.
 struct PlaneDefinition {

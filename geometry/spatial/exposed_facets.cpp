@@ -45,7 +45,7 @@ Facet to_cgal(const ExactFacet& facet) {
   Facet result{facet.plane,
                {number(facet.plane[0]), number(facet.plane[1]), number(facet.plane[2]), number(facet.plane[3])},
                {}};
-  for (const ExactPoint& p : facet.loop) result.loop.emplace_back(number(p[0]), number(p[1]), number(p[2]));
+  for (const ExactVector& p : facet.loop) result.loop.emplace_back(number(p[0]), number(p[1]), number(p[2]));
   return result;
 }
 
@@ -110,8 +110,8 @@ ConvexLoop projected(const Axes& axes, const Loop3& loop) {
   return polygon;
 }
 
-ExactPoint lifted(const std::array<Rational, 4>& plane, const Axes& axes, const Kernel::Point_2& p) {
-  ExactPoint result;
+ExactVector lifted(const std::array<Rational, 4>& plane, const Axes& axes, const Kernel::Point_2& p) {
+  ExactVector result;
   result[axes.first] = Rational(p.x().exact());
   result[axes.second] = Rational(p.y().exact());
   result[axes.dropped] =
@@ -181,7 +181,7 @@ void mark_region(Triangulation& triangulation) {
 }  // namespace
 
 std::vector<std::array<std::uint32_t, 3>> region_triangles(const std::array<Rational, 4>& plane,
-                                                           const std::vector<ExactPoint>& points,
+                                                           const std::vector<ExactVector>& points,
                                                            const std::vector<std::array<std::uint32_t, 2>>& edges) {
   const Axes frame = axes(plane);
   Triangulation triangulation;

@@ -14,10 +14,10 @@ namespace gnomon {
 /// A facet of a convex polyhedron.
 struct ExactFacet {
   std::array<Rational, 4> plane;  ///< a x + b y + c z + d <= 0 inside
-  std::vector<ExactPoint> loop;   ///< strictly convex, counterclockwise seen from outside
+  std::vector<ExactVector> loop;  ///< strictly convex, counterclockwise seen from outside
 };
 
-using ExactEdge = std::array<ExactPoint, 2>;
+using ExactEdge = std::array<ExactVector, 2>;
 
 /// What the facets of several convex polyhedra contribute to the boundary of the union of all.
 class ExposedFacets {
@@ -44,7 +44,7 @@ class ExposedFacets {
 /// Requires: edges bound a region in the plane, and meet in common ends only; they are indices of `points`.
 /// Returns:  triangles counterclockwise seen from the plane's outside.
 std::vector<std::array<std::uint32_t, 3>> region_triangles(const std::array<Rational, 4>& plane,
-                                                           const std::vector<ExactPoint>& points,
+                                                           const std::vector<ExactVector>& points,
                                                            const std::vector<std::array<std::uint32_t, 2>>& edges);
 
 }  // namespace gnomon

@@ -1,6 +1,7 @@
 #pragma once
 
-/// Planes and their meets in homogeneous coordinates, in whatever numbers: intervals, exact ones, double words.
+/// Planes and their meets in homogeneous coordinates, in whatever numbers: intervals, exact ones, double-double
+/// numbers.
 
 #include "geometry/spatial/exact_space.h"
 

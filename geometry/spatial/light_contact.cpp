@@ -5,29 +5,29 @@
 #include <algorithm>
 #include <array>
 
+#include "geometry/numbers/exact_vector.h"
 #include "geometry/numbers/kernel.h"
-#include "geometry/spatial/exact_point.h"
 
 namespace gnomon {
 namespace {
 
 /// Six times the volume of a, b, c, p: positive if p lies where a, b, c run counterclockwise.
-Rational height(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& p) {
-  const auto difference = [&](const ExactPoint& q, std::size_t i) -> Rational { return q[i] - a[i]; };
+Rational height(const ExactVector& a, const ExactVector& b, const ExactVector& c, const ExactVector& p) {
+  const auto difference = [&](const ExactVector& q, std::size_t i) -> Rational { return q[i] - a[i]; };
   return CGAL::determinant<Rational>(difference(b, 0), difference(b, 1), difference(b, 2), difference(c, 0),
                                      difference(c, 1), difference(c, 2), difference(p, 0), difference(p, 1),
                                      difference(p, 2));
 }
 
 /// The part of a convex polygon (segment, point) on the closed negative side of a facet's plane.
-std::vector<ExactPoint> behind(const std::vector<ExactPoint>& polygon, const HullPair& pair, std::uint32_t facet) {
-  const ExactPoint a = exact_point(pair.blocker.facet_point(facet, 0));
-  const ExactPoint b = exact_point(pair.blocker.facet_point(facet, 1));
-  const ExactPoint c = exact_point(pair.blocker.facet_point(facet, 2));
-  std::vector<ExactPoint> result;
+std::vector<ExactVector> behind(const std::vector<ExactVector>& polygon, const HullPair& pair, std::uint32_t facet) {
+  const ExactVector a = exact(pair.blocker.facet_point(facet, 0));
+  const ExactVector b = exact(pair.blocker.facet_point(facet, 1));
+  const ExactVector c = exact(pair.blocker.facet_point(facet, 2));
+  std::vector<ExactVector> result;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const ExactPoint& p = polygon[i];
-    const ExactPoint& q = polygon[(i + 1) % polygon.size()];
+    const ExactVector& p = polygon[i];
+    const ExactVector& q = polygon[(i + 1) % polygon.size()];
     const Rational hp = height(a, b, c, p);
     const Rational hq = height(a, b, c, q);
     if (hp <= 0) result.push_back(p);
@@ -41,12 +41,12 @@ std::vector<ExactPoint> behind(const std::vector<ExactPoint>& polygon, const Hul
 }
 
 /// The dimension of the hull of points: -1 for none.
-int dimension(const std::vector<ExactPoint>& points) {
+int dimension(const std::vector<ExactVector>& points) {
   if (points.empty()) return -1;
-  const ExactPoint& a = points.front();
-  const auto other = std::find_if(points.begin(), points.end(), [&](const ExactPoint& p) { return p != a; });
+  const ExactVector& a = points.front();
+  const auto other = std::find_if(points.begin(), points.end(), [&](const ExactVector& p) { return p != a; });
   if (other == points.end()) return 0;
-  const auto off_line = [&](const ExactPoint& p) {
+  const auto off_line = [&](const ExactVector& p) {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = (i + 1) % 3;
       const Rational cross = ((*other)[i] - a[i]) * (p[j] - a[j]) - ((*other)[j] - a[j]) * (p[i] - a[i]);
@@ -70,9 +70,9 @@ bool all_sides(const HullPair& pair, std::uint32_t facet, int least, int most) {
 }
 
 /// The part of the light in a closed solid.
-std::vector<ExactPoint> light_inside(const HullPair& pair) {
-  std::vector<ExactPoint> part;
-  for (const Point3& corner : pair.light.corners) part.push_back(exact_point(corner));
+std::vector<ExactVector> light_inside(const HullPair& pair) {
+  std::vector<ExactVector> part;
+  for (const Point3& corner : pair.light.corners) part.push_back(exact(corner));
   for (std::uint32_t f = 0; f < pair.blocker.facets.size() && !part.empty(); ++f) {
     if (!all_sides(pair, f, -1, 0)) part = behind(part, pair, f);
   }
@@ -90,13 +90,13 @@ LightContact contact_with_solid(const HullPair& pair) {
   for (std::uint32_t f = 0; f < facets; ++f) {
     if (all_sides(pair, f, 1, 1)) return contact;
   }
-  const std::vector<ExactPoint> part = light_inside(pair);
+  const std::vector<ExactVector> part = light_inside(pair);
   contact.meets = !part.empty();
   bool in_facet = false;
   for (std::uint32_t f = 0; f < facets; ++f) {
-    const auto on_facet = [&](const ExactPoint& p) {
-      return height(exact_point(pair.blocker.facet_point(f, 0)), exact_point(pair.blocker.facet_point(f, 1)),
-                    exact_point(pair.blocker.facet_point(f, 2)), p) == 0;
+    const auto on_facet = [&](const ExactVector& p) {
+      return height(exact(pair.blocker.facet_point(f, 0)), exact(pair.blocker.facet_point(f, 1)),
+                    exact(pair.blocker.facet_point(f, 2)), p) == 0;
     };
     if (part.empty() || !std::all_of(part.begin(), part.end(), on_facet)) continue;
     in_facet = true;

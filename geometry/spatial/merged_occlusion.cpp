@@ -58,23 +58,23 @@ OcclusionPart occlusion_part(const Light& light, const ConvexBlocker& blocker, c
 /// Points by their place.
 class Places {
  public:
-  std::uint32_t index(const ExactPoint& point) {
+  std::uint32_t index(const ExactVector& point) {
     const auto [entry, is_new] = indices_.try_emplace(point, static_cast<std::uint32_t>(points_.size()));
     if (is_new) points_.push_back(point);
     return entry->second;
   }
-  const std::vector<ExactPoint>& points() const { return points_; }
+  const std::vector<ExactVector>& points() const { return points_; }
 
  private:
-  std::map<ExactPoint, std::uint32_t> indices_;
-  std::vector<ExactPoint> points_;
+  std::map<ExactVector, std::uint32_t> indices_;
+  std::vector<ExactVector> points_;
 };
 
 /// A line by its direction, of which the first coordinate that is not zero is 1, and its point where that coordinate
 /// is 0.
-using Line = std::array<ExactPoint, 2>;
+using Line = std::array<ExactVector, 2>;
 
-Line line_through(const ExactPoint& p, const ExactPoint& q) {
+Line line_through(const ExactVector& p, const ExactVector& q) {
   std::size_t main = 0;
   while (p[main] == q[main]) ++main;
   Line line;
@@ -84,11 +84,11 @@ Line line_through(const ExactPoint& p, const ExactPoint& q) {
 }
 
 /// The ends of edges on every line; on a line their lexicographic order is that along it.
-using PointsOnLines = std::map<Line, std::map<ExactPoint, std::uint32_t>>;
+using PointsOnLines = std::map<Line, std::map<ExactVector, std::uint32_t>>;
 
 /// Divides edges where others on the same line end. In a closed surface no edge ends inside another one but there,
 /// unless it only touches it.
-std::vector<Edge> divided(const std::vector<Edge>& edges, const std::vector<ExactPoint>& points,
+std::vector<Edge> divided(const std::vector<Edge>& edges, const std::vector<ExactVector>& points,
                           const PointsOnLines& lines) {
   std::vector<Edge> result;
   for (const auto& [a, b] : edges) {
@@ -103,7 +103,7 @@ std::vector<Edge> divided(const std::vector<Edge>& edges, const std::vector<Exac
   return result;
 }
 
-ExactTriangles triangulated(const std::vector<ExposedFacet>& facets, const std::vector<ExactPoint>& points) {
+ExactTriangles triangulated(const std::vector<ExposedFacet>& facets, const std::vector<ExactVector>& points) {
   PointsOnLines lines;
   for (const ExposedFacet& facet : facets) {
     for (const auto& [a, b] : facet.edges) {
@@ -125,9 +125,9 @@ ExactTriangles triangulated(const std::vector<ExposedFacet>& facets, const std::
 ExactNumber exact_volume(const ExactTriangles& surface) {
   Rational six_volumes = 0;
   for (const auto& triangle : surface.triangles) {
-    const ExactPoint& a = surface.points[triangle.vertices[0]];
-    const ExactPoint& b = surface.points[triangle.vertices[1]];
-    const ExactPoint& c = surface.points[triangle.vertices[2]];
+    const ExactVector& a = surface.points[triangle.vertices[0]];
+    const ExactVector& b = surface.points[triangle.vertices[1]];
+    const ExactVector& c = surface.points[triangle.vertices[2]];
     six_volumes += CGAL::determinant<Rational>(a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2]);
   }
   return exact_number(six_volumes / 6);
@@ -135,7 +135,7 @@ ExactNumber exact_volume(const ExactTriangles& surface) {
 
 VolumeMesh rounded(const ExactTriangles& surface) {
   VolumeMesh mesh;
-  for (const ExactPoint& p : surface.points) {
+  for (const ExactVector& p : surface.points) {
     mesh.vertices.push_back({nearest_double(p[0]), nearest_double(p[1]), nearest_double(p[2])});
   }
   for (const auto& triangle : surface.triangles) mesh.triangles.push_back({triangle.vertices, triangle.facet});

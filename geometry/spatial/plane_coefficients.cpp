@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <limits>
 
+#include "geometry/numbers/exact_vector.h"
 #include "geometry/numbers/rounding.h"
-#include "geometry/spatial/exact_point.h"
 
 namespace gnomon {
 namespace {
@@ -40,10 +40,10 @@ std::array<Rational, 4> in_range(std::array<Rational, 4> numbers) {
 }  // namespace
 
 std::array<ExactNumber, 4> plane_coefficients(const HalfSpace& half_space) {
-  const ExactPoint a = exact_point(half_space.plane[0]);
-  const ExactPoint along = difference(exact_point(half_space.plane[1]), a);
-  const ExactPoint third = exact_point(half_space.plane[2]);
-  const ExactPoint normal = cross(along, half_space.third_is_direction ? third : difference(third, a));
+  const ExactVector a = exact(half_space.plane[0]);
+  const ExactVector along = exact(half_space.plane[1]) - a;
+  const ExactVector third = exact(half_space.plane[2]);
+  const ExactVector normal = cross(along, half_space.third_is_direction ? third : third - a);
   const std::array<Rational, 4> numbers = in_range({normal[0], normal[1], normal[2], Rational(-dot(normal, a))});
   return {exact_number(numbers[0]), exact_number(numbers[1]), exact_number(numbers[2]), exact_number(numbers[3])};
 }

@@ -61,13 +61,11 @@ struct Across {
 
 /// The triangles round an edge, counterclockwise seen from its higher vertex.
 std::vector<Across> sorted_around(const ExactTriangles& surface, const Edge& edge, const std::vector<CornerUse>& uses) {
-  const ExactPoint& origin = surface.points[edge[0]];
-  const ExactPoint axis = difference(surface.points[edge[1]], origin);
-  const auto arm = [&](const CornerUse& use) {
-    return difference(surface.points[vertex(surface, use.opposite)], origin);
-  };
-  const ExactPoint v = cross(axis, arm(uses.front()));
-  const ExactPoint u = cross(v, axis);
+  const ExactVector& origin = surface.points[edge[0]];
+  const ExactVector axis = surface.points[edge[1]] - origin;
+  const auto arm = [&](const CornerUse& use) { return surface.points[vertex(surface, use.opposite)] - origin; };
+  const ExactVector v = cross(axis, arm(uses.front()));
+  const ExactVector u = cross(v, axis);
   std::vector<Across> around;
   // u and v differ in length, which stretches angles but keeps their order.
   for (const CornerUse& use : uses) around.push_back({dot(arm(use), u), dot(arm(use), v), use});
@@ -101,7 +99,7 @@ void split_vertices(ExactTriangles& surface, boost::disjoint_sets_with_storage<>
     const auto [entry, is_new] = vertex_of_fan.try_emplace(fans.find_set(corner), v);
     if (is_new && is_taken[v]) {
       entry->second = static_cast<std::uint32_t>(surface.points.size());
-      const ExactPoint copy = surface.points[v];
+      const ExactVector copy = surface.points[v];
       surface.points.push_back(copy);
     }
     if (is_new) is_taken[v] = true;
@@ -122,9 +120,9 @@ Middles middles_of_shared_edges(ExactTriangles& surface, const std::vector<UsePa
   Middles middles;
   for (const auto& [edge, list] : sheets) {
     for (std::size_t i = 0; i < list.size() && list.size() > 1; ++i) {
-      const ExactPoint& a = surface.points[edge[0]];
-      const ExactPoint& b = surface.points[edge[1]];
-      const ExactPoint middle{Rational((a[0] + b[0]) / 2), Rational((a[1] + b[1]) / 2), Rational((a[2] + b[2]) / 2)};
+      const ExactVector& a = surface.points[edge[0]];
+      const ExactVector& b = surface.points[edge[1]];
+      const ExactVector middle{Rational((a[0] + b[0]) / 2), Rational((a[1] + b[1]) / 2), Rational((a[2] + b[2]) / 2)};
       middles[list[i]->first.start] = middles[list[i]->second.start] =
           static_cast<std::uint32_t>(surface.points.size());
       surface.points.push_back(middle);

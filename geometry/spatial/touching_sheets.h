@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/spatial/exact_point.h"
+#include "geometry/numbers/exact_vector.h"
 
 namespace gnomon {
 
@@ -14,7 +14,7 @@ struct ExactTriangles {
     std::array<std::uint32_t, 3> vertices;  ///< counterclockwise seen from outside
     std::uint32_t facet;
   };
-  std::vector<ExactPoint> points;
+  std::vector<ExactVector> points;
   std::vector<Triangle> triangles;
 };
 

@@ -4,13 +4,13 @@
 
 namespace gnomon {
 
-std::array<Rational, 3> exact_coordinates(const ExactSpace& space, VertexId vertex) {
+ExactVector exact_coordinates(const ExactSpace& space, VertexId vertex) {
   const Quadruple<ExactReal>& v = space.exact_vertex(vertex);
   const Rational w = rational(v[3]);
   return {Rational(rational(v[0]) / w), Rational(rational(v[1]) / w), Rational(rational(v[2]) / w)};
 }
 
-const PlaneWords& VertexRounding::words(PlaneId plane) {
+const DoubleDoublePlane& VertexRounding::double_double(PlaneId plane) {
   if (!planes_[plane]) planes_[plane].emplace(space_.definition(plane));
   return *planes_[plane];
 }
@@ -20,10 +20,11 @@ Point3 VertexRounding::operator()(VertexId vertex) {
   if (definition.input != VertexDefinition::none) return space_.input(definition.input).first;
   if (!definition.middle) {
     const auto& [a, b, c] = definition.planes;
-    if (const auto found = CommonPoint(words(a), words(b), words(c)).rounded(space_.nearby_point(vertex)))
+    if (const auto found =
+            CommonPoint(double_double(a), double_double(b), double_double(c)).rounded(space_.nearby_point(vertex)))
       return *found;
   }
-  const std::array<Rational, 3> exact = exact_coordinates(space_, vertex);
+  const ExactVector exact = exact_coordinates(space_, vertex);
   return {nearest_double(exact[0]), nearest_double(exact[1]), nearest_double(exact[2])};
 }
 

@@ -4,13 +4,14 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/numbers/exact_vector.h"
+#include "geometry/spatial/double_double_plane.h"
 #include "geometry/spatial/exact_space.h"
-#include "geometry/spatial/plane_words.h"
 
 namespace gnomon {
 
 /// The exact coordinates of a point of the space. It may be called in any rounding mode.
-std::array<Rational, 3> exact_coordinates(const ExactSpace& space, VertexId vertex);
+ExactVector exact_coordinates(const ExactSpace& space, VertexId vertex);
 
 /// Rounds the points of a space.
 ///
@@ -24,10 +25,10 @@ class VertexRounding {
   Point3 operator()(VertexId vertex);
 
  private:
-  const PlaneWords& words(PlaneId plane);
+  const DoubleDoublePlane& double_double(PlaneId plane);
 
   const ExactSpace& space_;
-  std::vector<std::optional<PlaneWords>> planes_;
+  std::vector<std::optional<DoubleDoublePlane>> planes_;
 };
 
 }  // namespace gnomon

@@ -5,8 +5,6 @@
 #include <optional>
 #include <unordered_map>
 
-#include <CGAL/determinant.h>
-
 #include "geometry/bodies/boxes.h"
 #include "geometry/numbers/rounding.h"
 #include "geometry/spatial/clipping.h"
@@ -69,21 +67,16 @@ VolumeMesh volume_mesh(const ExactSpace& space, const ExactSurface& surface, Ver
   return mesh;
 }
 
-Rational determinant(const std::array<Rational, 3>& a, const std::array<Rational, 3>& b,
-                     const std::array<Rational, 3>& c) {
-  return CGAL::determinant<Rational>(a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2]);
-}
-
 ExactNumber exact_volume(const ExactSpace& space, const ExactSurface& surface) {
-  std::unordered_map<VertexId, std::array<Rational, 3>> points;
-  const auto point = [&](VertexId v) -> const std::array<Rational, 3>& {
+  std::unordered_map<VertexId, ExactVector> points;
+  const auto point = [&](VertexId v) -> const ExactVector& {
     const auto [entry, is_new] = points.try_emplace(v);
     if (is_new) entry->second = exact_coordinates(space, v);
     return entry->second;
   };
   Rational six_volumes = 0;
   for (const ExactSurface::Facet& facet : surface.facets) {
-    for (const auto& [a, b, c] : facet.triangles) six_volumes += determinant(point(a), point(b), point(c));
+    for (const auto& [a, b, c] : facet.triangles) six_volumes += dot(point(a), cross(point(b), point(c)));
   }
   return exact_number(six_volumes / 6);
 }

@@ -34,7 +34,7 @@ Reach reach(const CGAL::Bbox_3& box, const Point3& apex, const sight::Vector& no
   const sight::Vector low{box.xmin() - apex.x, box.ymin() - apex.y, box.zmin() - apex.z};
   const sight::Vector high{box.xmax() - apex.x, box.ymax() - apex.y, box.zmax() - apex.z};
   const sight::Vector far{normal.x > 0 ? high.x : low.x, normal.y > 0 ? high.y : low.y, normal.z > 0 ? high.z : low.z};
-  return {sight::dot(normal, far), std::max(sight::size_of(low), sight::size_of(high))};
+  return {dot(normal, far), std::max(sight::size_of(low), sight::size_of(high))};
 }
 
 /// A box is outside if a plane of the pyramid says so with more than the rounding of its normal, of the differences and

@@ -1,23 +1,13 @@
 #include "geometry/visibility/sightline.h"
 
-#include "geometry/numbers/kernel.h"
+#include "geometry/numbers/exact_vector.h"
 #include "geometry/numbers/orientation.h"
 
 namespace gnomon::sight {
 namespace {
 
-struct ExactVector {
-  Rational x, y, z;
-};
-
-ExactVector exact_difference(const Point3& a, const Point3& b) {
-  return {Rational(a.x) - Rational(b.x), Rational(a.y) - Rational(b.y), Rational(a.z) - Rational(b.z)};
-}
-
 ExactVector exact_normal(const Point3& apex, const Plane& plane) {
-  const ExactVector a = exact_difference(*plane.from, apex);
-  const ExactVector b = exact_difference(*plane.to, apex);
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  return cross(exact(*plane.from) - exact(apex), exact(*plane.to) - exact(apex));
 }
 
 bool same_edge(const Plane& a, const Plane& b) {
@@ -37,8 +27,7 @@ int exact_triple(const Point3& apex, const Plane& a, const Plane& b, const Plane
   const ExactVector p = exact_normal(apex, a);
   const ExactVector q = exact_normal(apex, b);
   const ExactVector r = exact_normal(apex, c);
-  const Rational det = p.x * (q.y * r.z - q.z * r.y) + p.y * (q.z * r.x - q.x * r.z) + p.z * (q.x * r.y - q.y * r.x);
-  return det.sign();
+  return dot(p, cross(q, r)).sign();
 }
 
 }  // namespace gnomon::sight

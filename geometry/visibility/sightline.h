@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "geometry/numbers/vector3.h"
 #include "gnomon/point.h"
 
 namespace gnomon::sight {
@@ -27,23 +28,10 @@ inline bool is_in_range(const Point3& p) {
 /// Slightly more than the Euclidean norm of (1, 1, 1).
 inline constexpr double root_of_three = 1.7320509;
 
-/// A vector of space in doubles.
-struct Vector {
-  double x = 0;
-  double y = 0;
-  double z = 0;
-};
+using Vector = Vector3<double>;
 
 inline Vector operator-(const Point3& a, const Point3& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-inline double dot(const Vector& a, const Vector& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-inline Vector cross(const Vector& a, const Vector& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  return step(b, a);
 }
 
 /// The largest absolute coordinate.

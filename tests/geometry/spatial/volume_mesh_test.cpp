@@ -132,13 +132,12 @@ ExactReal plane_value(const ExactSpace& space, PlaneId plane, VertexId vertex) {
   return p[0] * v[0] + p[1] * v[1] + p[2] * v[2] + p[3] * v[3];
 }
 
-std::array<Rational, 3> coordinates(const ExactSpace& space, VertexId vertex) {
+ExactVector coordinates(const ExactSpace& space, VertexId vertex) {
   return exact_coordinates(space, vertex);
 }
 
 /// True if c lies strictly between a and b.
-bool strictly_between(const std::array<Rational, 3>& a, const std::array<Rational, 3>& b,
-                      const std::array<Rational, 3>& c) {
+bool strictly_between(const ExactVector& a, const ExactVector& b, const ExactVector& c) {
   Rational product = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
@@ -150,7 +149,7 @@ bool strictly_between(const std::array<Rational, 3>& a, const std::array<Rationa
 }
 
 bool has_t_junction(const ExactSpace& space, const ExactSurface& surface) {
-  std::map<VertexId, std::array<Rational, 3>> points;
+  std::map<VertexId, ExactVector> points;
   const Edges edges = directed_edges(surface);
   for (const auto& [edge, count] : edges) points.try_emplace(edge.first, coordinates(space, edge.first));
   for (const auto& [edge, count] : edges) {
@@ -256,7 +255,7 @@ Rational six_volumes(const VolumeCells& cells, const VolumeCells::Cell& cell) {
   Rational sum = 0;
   const auto point = [&](std::uint32_t i) {
     const Point3& p = cells.vertices[i];
-    return std::array<Rational, 3>{Rational(p.x), Rational(p.y), Rational(p.z)};
+    return ExactVector{Rational(p.x), Rational(p.y), Rational(p.z)};
   };
   for (const auto& face : cell.faces) {
     const auto a = point(face[0]);
@@ -350,7 +349,7 @@ TEST(VolumeMeshAgreement, VolumesHaveAsManyPiecesAsTheirFactsSay) {
 void check_rounding(Domain domain) {
   const MeshCase drawn = draw_case(domain);
   const ShadowMeshes meshes = shadow_meshes(drawn.light, drawn.blocker, drawn.box, {false, false, false, false});
-  std::vector<std::array<Rational, 3>> exact;
+  std::vector<ExactVector> exact;
   {
     const CGAL::Protect_FPU_rounding<true> protection;
     const ExactVolumes volumes(drawn);

@@ -8,17 +8,17 @@
 
 namespace gnomon {
 
-/// The coefficients of a plane as double words, each with a bound of its error: normal x + offset = 0.
-struct PlaneWords {
+/// The coefficients of a plane as double-double numbers, each with a bound of its error: normal x + offset = 0.
+struct DoubleDoublePlane {
   /// Bounds: see the source. Of planes that are not given by points or an axis the bound is infinite.
-  explicit PlaneWords(const PlaneDefinition& plane);
+  explicit DoubleDoublePlane(const PlaneDefinition& plane);
 
   std::array<Halves, 3> normal;
   std::array<double, 3> normal_low{};
   std::array<double, 3> normal_error{};
-  DoubleWord offset;
+  DoubleDouble offset;
   double offset_error = 0;
-  double normal_defect = 0;  ///< how far rounding and low words take the product of the normal and a vector of ones
+  double normal_defect = 0;  ///< how far rounding and low parts take the product of the normal and a vector of ones
 };
 
 /// Finds the point that three planes have in common.
@@ -29,7 +29,7 @@ struct PlaneWords {
 /// After:      Newton's method with a certificate, as in verified linear systems.
 class CommonPoint {
  public:
-  CommonPoint(const PlaneWords& a, const PlaneWords& b, const PlaneWords& c);
+  CommonPoint(const DoubleDoublePlane& a, const DoubleDoublePlane& b, const DoubleDoublePlane& c);
 
   /// The point correctly rounded, found from one nearby; nothing if the bounds do not decide.
   std::optional<Point3> rounded(const Point3& nearby) const;
@@ -42,7 +42,7 @@ class CommonPoint {
   };
   Step step_from(const std::array<Halves, 3>& x) const;
 
-  std::array<const PlaneWords*, 3> planes_;
+  std::array<const DoubleDoublePlane*, 3> planes_;
   std::array<Triple, 3> inverse_;
   Triple defect_;  ///< bounds of the row sums of |I - M N|
 };
