@@ -10,7 +10,7 @@
 namespace gnomon {
 namespace {
 
-PairResult computed(const Scene& scene, const ScenePair& pair, const Box3& clip_box) {
+PairResult computed(const ScenePair& pair, const Box3& clip_box) {
   PairResult result;
   result.light_id = static_cast<std::uint32_t>(pair.light_index);
   result.blocker_id = static_cast<std::uint32_t>(pair.blocker_index);
@@ -19,10 +19,9 @@ PairResult computed(const Scene& scene, const ScenePair& pair, const Box3& clip_
   result.position = pair.position;
   result.supported = pair.supported();
   if (!result.supported) return result;
-  const Light& light = scene.lights[pair.light_index].shape;
-  result.is_solid = std::holds_alternative<ConvexSolid>(*pair.shape);
-  result.volumes = shadow_volumes(light, *pair.shape);
-  result.meshes = shadow_meshes(light, *pair.shape, clip_box);
+  result.is_solid = std::holds_alternative<ConvexSolid>(pair.shadow->blocker());
+  result.volumes = pair.shadow->volumes();
+  result.meshes = pair.shadow->meshes(clip_box);
   return result;
 }
 
@@ -97,7 +96,7 @@ ShadowResult computed_shadows(const Scene& scene, const std::vector<ScenePair>& 
   if (scene.dimension == 2) return computed_in_plane(scene, pairs, clip_box, progress);
   ShadowResult result{&scene, clip_box, std::vector<PairResult>(pairs.size())};
   for_all(pairs.size(), thread_count(effort.threads), [&](std::size_t i, std::size_t) {
-    result.pairs[i] = computed(scene, pairs[i], clip_box);
+    result.pairs[i] = computed(pairs[i], clip_box);
     progress.step();
   });
   return result;

@@ -30,7 +30,7 @@ std::vector<PartPairs> pairs_to_merge(const std::vector<ScenePair>& pairs) {
 
 MergedResult merged(const Scene& scene, PartPairs pairs, const Box3& clip_box, Progress& progress) {
   std::vector<ConvexBlocker> parts;
-  for (const ScenePair& pair : pairs) parts.push_back(*pair.shape);
+  for (const ScenePair& pair : pairs) parts.push_back(pair.shadow->blocker());
   const ScenePair& first = pairs.front();
   OcclusionMerger merger(scene.lights[first.light_index].shape, parts, clip_box);
   while (merger.remaining() > 0) {

@@ -44,17 +44,14 @@ planar::Pair planar_pair(const PlanarLight& light, const PlanarBlocker& blocker,
   return planar::Pair::from_points(light.vertices, std::span(blocker.vertices).subspan(part, 2));
 }
 
-void judge(const SceneLight& light, const SceneBlocker&, ScenePair& pair) {
-  pair.position = pair_position(light.shape, *pair.shape);
-  if (is_supported(light.shape, *pair.shape)) return;
-  pair.reason =
-      "the light's vertices are not exactly coplanar, so the blocker has to lie strictly apart from it, and strictly "
-      "in "
-      "front if it is one-sided";
+void judge(const SceneLight& light, const SceneBlocker&, const Part& part, ScenePair& pair) {
+  pair.shadow.emplace(light.shape, *part.shape);
+  pair.position = pair.shadow->position();
+  pair.reason = pair.shadow->refusal();
 }
 
 /// In the plane every position is supported.
-void judge(const PlanarLight& light, const PlanarBlocker& blocker, ScenePair& pair) {
+void judge(const PlanarLight& light, const PlanarBlocker& blocker, const Part&, ScenePair& pair) {
   pair.position = planar::pair_position(planar_pair(light, blocker, pair.part));
 }
 
@@ -64,9 +61,8 @@ void add_pairs(std::vector<ScenePair>& pairs, const SomeLight& light, const Some
   pair.light = light.name;
   for (const Part& part : parts) {
     pair.blocker = part.name;
-    pair.shape = part.shape;
     pair.part_vertices = part.vertices;
-    judge(light, blocker, pairs.emplace_back(pair));
+    judge(light, blocker, part, pairs.emplace_back(pair));
     ++pair.part;
   }
 }

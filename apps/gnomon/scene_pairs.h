@@ -6,10 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "gnomon/blocker.h"
 #include "gnomon/flatland_pair.h"
-#include "gnomon/pair.h"
 #include "gnomon/scene.h"
+#include "gnomon/shadow_mesh.h"
 
 namespace gnomon {
 
@@ -20,7 +19,7 @@ struct ScenePair {
   std::size_t part = 0;  ///< of the blocker: a convex part, or a polyline's segment from vertex `part` to the next
   std::string light;
   std::string blocker;                       ///< part k of a polyline is named `fence#k`, of a mesh `vase#k`
-  std::optional<ConvexBlocker> shape;        ///< in space: the convex part
+  std::optional<ShadowPair> shadow;          ///< in space: the light and the convex part
   std::vector<std::uint32_t> part_vertices;  ///< of each point of a part, its index among the blocker's; else empty
   Position position = Position::standard;
   std::string reason;  ///< why the pair is not supported; empty if it is

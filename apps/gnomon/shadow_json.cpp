@@ -29,7 +29,7 @@ Json element_json(std::string_view of, Index index) {
 /// An edge of a solid has no index in the file: it is numbered among the solid's edges, and its vertices are told.
 Json blocker_edge_json(const ScenePair& pair, std::optional<BlockerEdge> edge) {
   Json json = element_json("blocker", edge);
-  const auto* solid = std::get_if<ConvexSolid>(&*pair.shape);
+  const auto* solid = std::get_if<ConvexSolid>(&pair.shadow->blocker());
   if (solid && edge) {
     const ConvexSolid::Edge& ends = solid->edges()[number(*edge)];
     json["vertices"] = {ends.from, ends.to};

@@ -16,10 +16,6 @@ Ring light_ring(const Light& light, const PairSides& sides) {
   return Ring(std::get<AreaLight>(light).polygon, sides.blocker.positive);
 }
 
-StandardPair turned_pair(const Light& light, const ConvexPolygon& blocker, const PairSides& sides) {
-  return {light_ring(light, sides), Ring(blocker, sides.light.negative), sides.orientation};
-}
-
 /// Signs of (blocker side, light start, light end) for a linear light.
 std::vector<int> linear_light_signs(const StandardPair& pair) {
   std::vector<int> signs(pair.blocker.size());
@@ -53,22 +49,16 @@ std::vector<TouchedCorners> linear_light_contacts(const StandardPair& pair, int 
   return contacts;
 }
 
+StandardPair standard_pair(const Light& light, const ConvexPolygon& blocker, const PairSides& sides) {
+  return {light_ring(light, sides), Ring(blocker, sides.light.negative), sides.orientation};
+}
+
 StandardPair standard_pair(const Light& light, const ConvexPolygon& blocker) {
   const PairSides sides = pair_sides(light, blocker);
   if (pair_position(light, sides) != Position::standard) {
     throw PreconditionError("the light and the blocker are not in standard position");
   }
-  return turned_pair(light, blocker, sides);
-}
-
-std::optional<StandardPair> standard_pair_of(const Light& light, const ConvexBlocker& blocker) {
-  const auto* polygon = std::get_if<ConvexPolygon>(&blocker);
-  const auto* area = std::get_if<AreaLight>(&light);
-  const bool is_flat = polygon && polygon->is_flat() && (!area || area->polygon.is_flat());
-  if (!is_flat || std::holds_alternative<DirectionalLight>(light)) return std::nullopt;
-  const PairSides sides = pair_sides(light, *polygon);
-  if (pair_position(light, sides) != Position::standard) return std::nullopt;
-  return turned_pair(light, *polygon, sides);
+  return standard_pair(light, blocker, sides);
 }
 
 std::vector<TouchedCorners> separating_contacts(const StandardPair& pair) {

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "geometry/numbers/orientation.h"
+#include "geometry/spatial/pair_sides.h"
 #include "gnomon/blocker.h"
 #include "gnomon/light.h"
 #include "gnomon/pair.h"
@@ -67,10 +67,10 @@ struct StandardPair {
 /// Throws:   PreconditionError.
 StandardPair standard_pair(const Light& light, const ConvexPolygon& blocker);
 
-/// The pair if it is one in standard position: a flat blocker, and a finite light that is flat or has no area.
+/// The same of a pair that is known to be in standard position.
 ///
-/// Requires: light and blocker outlive the result.
-std::optional<StandardPair> standard_pair_of(const Light& light, const ConvexBlocker& blocker);
+/// Requires: `sides` is pair_sides(light, blocker); light and blocker outlive the result.
+StandardPair standard_pair(const Light& light, const ConvexPolygon& blocker, const PairSides& sides);
 
 /// The light corners that touch the extremal plane through one blocker side: one corner, or two neighbours
 /// (`last` after `first`) if a light side lies in the plane. If the plane holds the whole light (a point light, or a

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 
-#include "gnomon/errors.h"
-#include "gnomon/pair.h"
-
 namespace gnomon {
 namespace {
 
@@ -33,23 +30,6 @@ std::array<PlaneId, 6> in_order_of_use(const std::array<PlaneId, 6>& sides, cons
 }
 
 }  // namespace
-
-PreparedPair prepared_pair(const Light& light, const ConvexBlocker& blocker) {
-  if (!is_supported(light, blocker)) {
-    throw PreconditionError(
-        "a light that is not exactly flat needs the blocker strictly apart from it, and in front if it is one-sided");
-  }
-  PreparedPair result;
-  result.standard = standard_pair_of(light, blocker);
-  if (result.standard) {
-    result.contacts.emplace(*result.standard);
-    result.half_spaces = standard_half_spaces(*result.standard, *result.contacts);
-  } else {
-    result.hulls.emplace(hull(light), hull(blocker));
-    result.half_spaces = pair_half_spaces(*result.hulls, light);
-  }
-  return result;
-}
 
 PairPolyhedra::PairPolyhedra(const PreparedPair& pair, const Box3& box)
     : planes(pair.half_spaces, first_half_space(pair)), sides(add_box(planes.space, box)), box_(box) {

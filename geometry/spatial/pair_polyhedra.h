@@ -4,25 +4,10 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/spatial/prepared_pair.h"
 #include "geometry/spatial/shadow_polyhedra.h"
-#include "geometry/spatial/standard_occlusion.h"
 
 namespace gnomon {
-
-/// A pair with the half-spaces of its volumes.
-struct PreparedPair {
-  PairHalfSpaces half_spaces;
-  std::optional<StandardPair> standard;  ///< with its contacts, where the occlusion has a form known beforehand
-  std::optional<StandardContacts> contacts;
-  std::optional<HullPair> hulls;  ///< elsewhere
-
-  bool has_penumbra() const { return standard ? standard->light.size() > 1 : hulls->light.corners.size() > 1; }
-  bool has_solid() const { return hulls && !hulls->blocker.flat; }
-};
-
-/// Requires: light and blocker outlive the result.
-/// Throws:   PreconditionError unless is_supported(light, blocker).
-PreparedPair prepared_pair(const Light& light, const ConvexBlocker& blocker);
 
 /// A pair's volumes in a box as exact polyhedra, and the space they live in.
 ///

@@ -1,6 +1,6 @@
 #include "gnomon/shadow_volume.h"
 
-#include "geometry/spatial/standard_occlusion.h"
+#include "geometry/spatial/prepared_pair.h"
 #include "geometry/spatial/volume_extent.h"
 #include "gnomon/errors.h"
 #include "gnomon/pair.h"
@@ -36,13 +36,6 @@ ExtremalPlanes named_planes(const PairHalfSpaces& half_spaces) {
   return planes;
 }
 
-void require_supported(const Light& light, const ConvexBlocker& blocker) {
-  if (!is_supported(light, blocker)) {
-    throw PreconditionError(
-        "a light that is not exactly flat needs the blocker strictly apart from it, and in front if it is one-sided");
-  }
-}
-
 }  // namespace
 
 Side ConvexVolume::oriented_side(const Point3& point) const {
@@ -56,19 +49,12 @@ Side ConvexVolume::oriented_side(const Point3& point) const {
   return side;
 }
 
-ShadowVolumes shadow_volumes(const Light& light, const ConvexBlocker& blocker) {
-  require_supported(light, blocker);
-  const HullPair pair(hull(light), hull(blocker));
-  PairHalfSpaces half_spaces;
+ShadowVolumes volumes_of(PreparedPair pair, const Light& light, const ConvexBlocker& blocker) {
   ShadowVolumes volumes;
-  if (const std::optional<StandardPair> standard = standard_pair_of(light, blocker)) {
-    half_spaces = standard_half_spaces(*standard, StandardContacts(*standard));
-    volumes.planes = extremal_planes(*standard);
-  } else {
-    half_spaces = pair_half_spaces(pair, light);
-    volumes.planes = named_planes(half_spaces);
-  }
-  const VolumeExtents extents = volume_extents(pair, half_spaces);
+  PairHalfSpaces& half_spaces = pair.half_spaces;
+  volumes.planes = pair.standard ? extremal_planes(*pair.standard) : named_planes(half_spaces);
+  if (!pair.hulls) pair.hulls.emplace(hull(light), hull(blocker));
+  const VolumeExtents extents = volume_extents(*pair.hulls, half_spaces);
   volumes.occlusion_facts = extents.occlusion;
   volumes.umbra_facts = extents.umbra;
   volumes.penumbra_facts = extents.penumbra;
@@ -79,8 +65,9 @@ ShadowVolumes shadow_volumes(const Light& light, const ConvexBlocker& blocker) {
 }
 
 ConvexVolume convex_hull_shadow_volume(const Light& light, const ConvexBlocker& blocker) {
-  require_supported(light, blocker);
-  PairHalfSpaces half_spaces = pair_half_spaces(HullPair(hull(light), hull(blocker)), light);
+  PairForm form(light, blocker);
+  if (!form.is_supported()) throw PreconditionError(unsupported_pair);
+  PairHalfSpaces half_spaces = pair_half_spaces(form.hulls(), light);
   return {std::move(half_spaces.occlusion), half_spaces.occlusion_empty};
 }
 

@@ -167,10 +167,8 @@ ExactShapes exact_shapes(PairPolyhedra& polyhedra, const PreparedPair& pair, con
 
 }  // namespace
 
-ShadowMeshes shadow_meshes(const Light& light, const ConvexBlocker& blocker, const Box3& box,
-                           const ShadowParts& parts) {
+ShadowMeshes meshes_of(const PreparedPair& pair, const Box3& box, const ShadowParts& parts) {
   if (!has_interior(box)) throw PreconditionError("a clip box needs finite bounds with min < max");
-  const PreparedPair pair = prepared_pair(light, blocker);
   std::optional<PairPolyhedra> polyhedra;
   ExactShapes shapes;
   {

@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "gnomon/blocker.h"
@@ -87,6 +88,33 @@ struct ShadowParts {
 /// Throws:   PreconditionError.
 ShadowMeshes shadow_meshes(const Light& light, const ConvexBlocker& blocker, const Box3& box,
                            const ShadowParts& parts = {});
+
+/// One light and one blocker, looked at once, for several questions. Copies share what was found; any number of threads
+/// may ask.
+class ShadowPair {
+ public:
+  ShadowPair(Light light, ConvexBlocker blocker);
+
+  const ConvexBlocker& blocker() const;
+
+  /// As pair_position and is_supported.
+  Position position() const;
+  bool is_supported() const;
+
+  /// Why it is not supported, in words for people; empty if it is.
+  std::string_view refusal() const;
+
+  /// As shadow_volumes and shadow_meshes.
+  ///
+  /// Requires: is_supported().
+  /// Throws:   PreconditionError.
+  ShadowVolumes volumes() const;
+  ShadowMeshes meshes(const Box3& box, const ShadowParts& parts = {}) const;
+
+ private:
+  struct Content;
+  std::shared_ptr<const Content> content_;
+};
 
 /// The boundary of the union of several occlusion volumes.
 struct MergedOcclusion {

@@ -1,8 +1,7 @@
-#include "gnomon/pair.h"
+#include "geometry/spatial/pair_form.h"
 
 #include <algorithm>
 
-#include "geometry/spatial/hull_pair.h"
 #include "geometry/spatial/light_contact.h"
 #include "geometry/spatial/pair_sides.h"
 
@@ -12,10 +11,6 @@ namespace {
 bool is_flat(const Light& light) {
   const auto* area = std::get_if<AreaLight>(&light);
   return !area || area->polygon.is_flat();
-}
-
-Position flat_position(const Light& light, const ConvexPolygon& blocker) {
-  return pair_position(light, pair_sides(light, blocker));
 }
 
 Position directional_position(const HullPair& pair) {
@@ -94,20 +89,39 @@ std::string_view name(Position position) {
   return names[static_cast<int>(position)];
 }
 
-Position pair_position(const Light& light, const ConvexBlocker& blocker) {
-  if (std::holds_alternative<DirectionalLight>(light))
-    return directional_position(HullPair(hull(light), hull(blocker)));
+PairForm::PairForm(const Light& light, const ConvexBlocker& blocker) : light_(&light), blocker_(&blocker) {
   const auto* polygon = std::get_if<ConvexPolygon>(&blocker);
-  if (polygon && polygon->is_flat() && is_flat(light)) return flat_position(light, *polygon);
-  const auto* area = std::get_if<AreaLight>(&light);
-  return hull_position(HullPair(hull(light), hull(blocker)), area && !area->two_sided);
+  if (!polygon || !polygon->is_flat() || !is_flat(light) || std::holds_alternative<DirectionalLight>(light)) return;
+  const PairSides sides = pair_sides(light, *polygon);
+  position_ = pair_position(light, sides);
+  if (*position_ == Position::standard) standard_ = standard_pair(light, *polygon, sides);
+}
+
+HullPair& PairForm::hulls() {
+  if (!hulls_) hulls_.emplace(hull(*light_), hull(*blocker_));
+  return *hulls_;
+}
+
+Position PairForm::position() {
+  if (position_) return *position_;
+  const auto* area = std::get_if<AreaLight>(light_);
+  position_ = std::holds_alternative<DirectionalLight>(*light_) ? directional_position(hulls())
+                                                                : hull_position(hulls(), area && !area->two_sided);
+  return *position_;
+}
+
+bool PairForm::is_supported() {
+  if (is_flat(*light_)) return true;
+  const auto& area = std::get<AreaLight>(*light_);
+  return stand_apart(hulls()) && (area.two_sided || is_in_front(hulls(), area.polygon));
+}
+
+Position pair_position(const Light& light, const ConvexBlocker& blocker) {
+  return PairForm(light, blocker).position();
 }
 
 bool is_supported(const Light& light, const ConvexBlocker& blocker) {
-  const auto* area = std::get_if<AreaLight>(&light);
-  if (!area || area->polygon.is_flat()) return true;
-  const HullPair pair(hull(light), hull(blocker));
-  return stand_apart(pair) && (area->two_sided || is_in_front(pair, area->polygon));
+  return is_flat(light) || PairForm(light, blocker).is_supported();
 }
 
 }  // namespace gnomon
