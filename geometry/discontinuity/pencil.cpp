@@ -3,6 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
+// Notation. v: the apex; a, b: the ends of the edge; [p, q, r, s]: the bracket of event_point.h. A node is the point
+// x v + y a + z b of the plane, x, y, z up to one positive factor. A function is linear in (x, y, z), given by its
+// values at v, a and b; so its sign at a node is that of a sum of three products, by intervals or, where these do not
+// tell, by exact numbers that are kept.
+//
+// Why it holds. Coordinates of a point p of the plane are the areas of (p, a, b), (v, p, b) and (v, a, p), by Cramer's
+// rule, seen along an axis that the plane does not hold; axis_sign_ makes that of (v, a, b) positive. Where a segment
+// crosses the plane, the mean of its ends is taken whose bracket with v, a, b vanishes (crossing_coordinates).
+//   clip   polygons are convex: all of one lies inside if all nodes do, and nothing strictly inside if none does; else
+//          the cuts replace what is outside, each a mean of two nodes with positive weights.
+//   order  of two lines through v and nodes p and q, q comes after p, turning from a to b, if y_p z_q - z_p y_q > 0. A
+//          node in the other cone stands for the point opposite, so the sign changes.
+//   range  the polygon is convex and lies in one cone, so the lines that meet it are all those from the first to the
+//          last of its nodes; v itself is on every line and names none. One line alone is no range: it has no width.
+
 namespace gnomon::event {
 namespace {
 

@@ -2,6 +2,25 @@
 
 #include <algorithm>
 
+// Notation. p: the point that looks, somewhere in a small box. before: the side of the light's plane on which p lies,
+// +1 in front. L+: what of the light lies before the receiver's plane; the region speaks of this alone. l: a vertex of
+// the light. v: a vertex of a blocker. Every sign below is certain for all points of the box, or it is not used.
+//
+// Why each answer holds. A vertex l is hidden if p lies strictly inside the shadow that l alone would throw, so with l
+// a part of the light around it is hidden; it is seen if p lies strictly outside of all these shadows, so a part around
+// it is open. Both parts reach into L+ where l lies strictly before the receiver's plane.
+//   penumbra  one vertex of L+ is hidden and one is seen: a part of L+ is hidden, and a part is open.
+//   lit       each shape that may hide something is parted from the light, as seen from p, by an edge of one of them:
+//             no line from p to the light meets it.
+//   penumbra  no vertex of L+ is hidden, so one is seen and a part is open; and a shape has a corner strictly inside
+//             the pyramid between p and the light and before the receiver's plane: around it the shape hides a part.
+//   umbra     one shape hides every vertex of the light. What a convex shape hides of the light, as seen from p, is
+//             convex, so it is all. (Several shapes may do it together; that is left to the exact level.)
+//   penumbra  a vertex v, strictly inside the pyramid, is on the outline of what the shapes hide: next to it, as seen
+//             from p, the light is open in some directions and hidden in others.
+// Lit and penumbra so found hold without regard to triple-edge events, which only open or close gaps that no vertex
+// shows; umbra by one shape does not: elsewhere in the face the light may come past it.
+
 namespace gnomon::event {
 
 const QuickSight::Place& QuickSight::place(PointId p) {

@@ -97,7 +97,6 @@ class WedgeTracer {
   bool begin(Pencil& pencil, const Wedge& wedge);
   bool is_between_faces(const Pencil& pencil, const Wedge& wedge) const;
   void set_half_spaces(const Wedge& wedge);
-  bool section(Pencil& pencil, const Shape& shape, Nodes& nodes) const;
   Nodes light_section(Pencil& pencil) const;
   bool passes_through_apex(const Pencil& pencil, const Nodes& segment) const;
   bool is_before_light(Pencil& pencil, const Wedge& wedge, const Shape& shape, Nodes& nodes);

@@ -2,7 +2,27 @@
 #include <cmath>
 
 #include "geometry/discontinuity/ray_ranges.h"
+#include "geometry/discontinuity/shape_section.h"
 #include "geometry/discontinuity/wedge.h"
+
+// Notation. v: the wedge's apex, a vertex. a, b: the ends of its edge. The pencil: the lines through v in the plane
+// (v, a, b) that meet the edge; each is a ray (node, cone), named by a node that it passes and by the half on which
+// that lies. x, y, z: the coordinates of a point of the plane with respect to v, a, b; so x is positive on the apex's
+// side of the edge, y and z of the lines that meet the edge are of one sign, and the cone "towards" holds the edge,
+// "away" is the other half of each line. A range: the lines from a first to a last one, as the pencil orders them.
+//
+// The argument. A point of a receiver is on the trace if its line through the edge and the apex comes from the light,
+// is not blocked on the way to the farther of the two, nor from there to the receiver. So three sets of lines are
+// ranges of one order, and what is left of the first without the others is the trace:
+//   allowed  lines that meet the light beyond the nearer element (find_allowed): the plane cuts a convex light in one
+//            segment; of a coplanar pair those alone that meet the far edge (keep_far); without the lines that a shape
+//            blocks between light and farther element (subtract_towards_light);
+//   range    lines that meet the receiver from its front (receiver_range), for it is convex;
+//   blocked  lines that an obstacle meets before the receiver's plane (append_blocked). An obstacle wholly before the
+//            plane blocks all lines that it meets; one that crosses it, those that meet what of it lies before.
+// A shape is convex, so the lines that meet its section are one range; one that the plane of the pencil does not cut in
+// two has no inside there and stops none (shape_section). Searches in boxes may find too much and never too little:
+// every shape found is judged exactly.
 
 namespace gnomon::event {
 namespace {
@@ -53,81 +73,6 @@ bool WedgeTracer::is_between_faces(const Pencil& pencil, const Wedge& wedge) con
     below = below || side < 0;
   }
   return above && below;
-}
-
-/// The part of a shape in the pencil's plane, if the plane cuts it in two.
-bool WedgeTracer::section(Pencil& pencil, const Shape& shape, Nodes& nodes) const {
-  nodes.clear();
-  std::array<int, 16> few{};
-  std::vector<int> many;
-  const std::size_t n = shape.corners.size();
-  if (n > few.size()) many.resize(n);
-  int* sides = n > few.size() ? many.data() : few.data();
-  bool above = false, below = false;
-  for (std::size_t k = 0; k < n; ++k) {
-    sides[k] = pencil.side(shape.corners[k]);
-    above = above || sides[k] > 0;
-    below = below || sides[k] < 0;
-  }
-  if (!above || !below) return false;
-  const auto side_of = [&](PointId p) {
-    return sides[std::find(shape.corners.begin(), shape.corners.end(), p) - shape.corners.begin()];
-  };
-  if (!shape.is_solid) {
-    for (std::size_t k = 0; k < n; ++k) {
-      const std::size_t next = (k + 1) % n;
-      if (sides[k] == 0) nodes.push_back(pencil.add_point(shape.corners[k]));
-      if (sides[k] * sides[next] < 0) {
-        const bool falls = sides[k] > 0;
-        nodes.push_back(pencil.add_crossing(shape.corners[falls ? k : next], shape.corners[falls ? next : k]));
-      }
-    }
-    return true;
-  }
-  // Each facet that is cut joins two nodes; they make a cycle.
-  struct Made {
-    PointId p, q;
-    NodeId node;
-  };
-  std::vector<Made> made;
-  const auto node_on = [&](PointId p, PointId q) {
-    const auto [low, high] = std::minmax(p, q);
-    for (const Made& m : made) {
-      if (m.p == low && m.q == high) return m.node;
-    }
-    const NodeId node = p == q           ? pencil.add_point(p)
-                        : side_of(p) > 0 ? pencil.add_crossing(p, q)
-                                         : pencil.add_crossing(q, p);
-    made.push_back({low, high, node});
-    return node;
-  };
-  std::vector<std::pair<NodeId, NodeId>> links;
-  for (const auto& loop : shape.facets) {
-    NodeId ends[2] = {0, 0};
-    std::size_t count = 0;
-    for (std::size_t k = 0; k < loop.size(); ++k) {
-      const PointId p = loop[k], q = loop[(k + 1) % loop.size()];
-      const int s = side_of(p), t = side_of(q);
-      if (s != 0 && s * t >= 0) continue;
-      if (count < 2) ends[count] = node_on(p, s == 0 ? p : q);
-      ++count;
-    }
-    if (count != 2) continue;
-    const std::pair<NodeId, NodeId> link = std::minmax(ends[0], ends[1]);
-    if (std::find(links.begin(), links.end(), link) == links.end()) links.push_back(link);
-  }
-  NodeId at = links.front().second;
-  nodes.push_back(links.front().first);
-  links.erase(links.begin());
-  while (!links.empty()) {
-    nodes.push_back(at);
-    const auto next =
-        std::find_if(links.begin(), links.end(), [&](const auto& l) { return l.first == at || l.second == at; });
-    if (next == links.end()) break;
-    at = next->first == at ? next->second : next->first;
-    links.erase(next);
-  }
-  return true;
 }
 
 WedgeTracer::Nodes WedgeTracer::light_section(Pencil& pencil) const {
