@@ -4,6 +4,18 @@
 
 #include "geometry/discontinuity/shaft.h"
 
+// Notation. near: a blocker's edge. far: an edge in one plane with it and nearer to the light: one of the light, one of
+// another blocker, or what a facet's plane cuts out of the light. plane: theirs, by three of its points. apex: a place
+// in the plane, the end of a set of lines of sight. beside: a vertex of the light off the plane; seen from there, turns
+// in the plane have signs.
+//
+// Why the apexes are enough. From a point of the plane, near and far are seen in line with the light along lines of the
+// plane, and at an end of such a set of points a line of sight is stopped. It passes an end of near or far: a wedge of
+// a vertex and an edge, found elsewhere. Or it passes an end of what the plane has of the light (light_section_), or a
+// third blocker that the plane cuts, at a corner in the plane or where it cuts an edge (find_apexes): a blocker that it
+// does not cut has no inside in it and stops nothing. So every end lies on a line through such an apex that meets near
+// and far, and these lines are what the wedges hold.
+
 namespace gnomon::event {
 namespace {
 

@@ -7,6 +7,22 @@
 
 #include "geometry/discontinuity/outline.h"
 
+// Notation. p: a point of the piece, which looks. i, j, k: edges that may bound what is seen from there, n_i the normal
+// of the plane through p and edge i. A set of signs over the piece's corners is two bits: 1 negative, 2 positive; 3 is
+// both, and 0 none, where all corners see the point in the plane.
+//
+// Why a triple may be left out; region_change.h says what is proved by that.
+//   sides      of the plane through p and an edge on which a point x lies: the sign of |a - p, b - p, x - p|, which is
+//              linear in p. One sign at the three corners is the sign in all of the piece.
+//   crossing   two edges cross as seen from p only if each has its ends on both sides of the other. If both ends of one
+//              are on one side throughout, they never do. The way in which they cross is the sign of one such side.
+//   hidden     of edge i the side that is hidden; none if faces lie on both, so that it bounds nothing.
+//   up, down   which way one turns from what edge i leaves open to what edge j does: the product of both hidden sides
+//              and the way of crossing. If one turns both ways among the three pairs, the three share a direction.
+//   in line    where the three meet in one line of sight, |n_i, n_j, n_k| is zero. It is quadratic in p: its Bernstein
+//              coefficients are its values at the corners and, of the side from p to q with middle m, half of
+//              4 f(m) - f(p) - f(q). Of one sign, they let it vanish at most on the border.
+
 namespace gnomon::event {
 namespace {
 
