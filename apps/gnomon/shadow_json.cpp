@@ -17,17 +17,17 @@ using Json = nlohmann::ordered_json;
 
 /// An index that names no element of the file (a diagonal of a polygon whose vertices were rounded) is null.
 template <class Index>
-Json element_json(std::string_view of, const std::optional<Index>& index) {
+Json element_json(std::string_view of, const MaybeIndex<Index>& index) {
   return {{"of", of}, {"index", index ? Json(number(*index)) : Json()}};
 }
 
 template <class Index>
 Json element_json(std::string_view of, Index index) {
-  return element_json(of, std::optional(index));
+  return element_json(of, MaybeIndex<Index>(index));
 }
 
 /// An edge of a solid has no index in the file: it is numbered among the solid's edges, and its vertices are told.
-Json blocker_edge_json(const ScenePair& pair, std::optional<BlockerEdge> edge) {
+Json blocker_edge_json(const ScenePair& pair, MaybeIndex<BlockerEdge> edge) {
   Json json = element_json("blocker", edge);
   const auto* solid = std::get_if<ConvexSolid>(&pair.shadow->blocker());
   if (solid && edge) {

@@ -14,8 +14,8 @@ int side_of(const HalfSpace& half_space, const Point3& point) {
 }
 
 template <class Index>
-std::optional<Index> named(const std::optional<std::uint32_t>& index) {
-  return index ? std::optional(Index{*index}) : std::nullopt;
+MaybeIndex<Index> named(const std::optional<std::uint32_t>& index) {
+  return index ? MaybeIndex<Index>(Index{*index}) : MaybeIndex<Index>();
 }
 
 /// The planes of half-spaces that go through an edge of one and a vertex of the other.

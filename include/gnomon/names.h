@@ -9,6 +9,7 @@
 ///       return number(edge) == 3 && name(gnomon::Region::umbra) == "umbra" ? 0 : 1;
 ///     }
 
+#include <compare>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -55,9 +56,30 @@ constexpr std::uint32_t number(Index index) {
   return static_cast<std::uint32_t>(index);
 }
 
+/// An index or none, as std::optional has it, in the room of the index alone: planes are listed by the million.
+template <class Index>
+class MaybeIndex {
+ public:
+  constexpr MaybeIndex() = default;
+  constexpr MaybeIndex(Index index) : number_(number(index)) {}  // NOLINT: meant as a conversion
+
+  constexpr bool has_value() const { return number_ != none; }
+  constexpr explicit operator bool() const { return has_value(); }
+  /// Requires: has_value().
+  constexpr Index operator*() const { return Index{number_}; }
+  /// Throws: std::bad_optional_access.
+  constexpr Index value() const { return has_value() ? Index{number_} : throw std::bad_optional_access(); }
+
+  friend constexpr auto operator<=>(const MaybeIndex&, const MaybeIndex&) = default;
+
+ private:
+  static constexpr std::uint32_t none = ~std::uint32_t{0};
+  std::uint32_t number_ = none;
+};
+
 /// The number of an element that is there; throws std::bad_optional_access if there is none.
 template <class Index>
-constexpr std::uint32_t number(const std::optional<Index>& index) {
+constexpr std::uint32_t number(const MaybeIndex<Index>& index) {
   return number(index.value());
 }
 

@@ -12,7 +12,6 @@
 ///       return pair_position(lamp, board) == Position::standard && planes.supporting_blocker.size() == 3 ? 0 : 1;
 ///     }
 
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -56,8 +55,7 @@ bool is_supported(const Light& light, const ConvexBlocker& blocker);
 
 /// The plane through a blocker edge that touches the light, named by input elements alone.
 struct BlockerPlane {
-  std::optional<BlockerEdge>
-      edge;  ///< of a solid its place in ConvexSolid::edges; nothing for an edge that no file has
+  MaybeIndex<BlockerEdge> edge;  ///< of a solid its place in its edges(); none if no file has it
   LightVertex vertex;
 
   friend bool operator==(const BlockerPlane&, const BlockerPlane&) = default;
@@ -65,7 +63,7 @@ struct BlockerPlane {
 
 /// The plane through a light edge (or the whole linear light) that touches the blocker.
 struct LightPlane {
-  std::optional<LightEdge> edge;  ///< nothing for a diagonal of a light whose vertices were rounded off their plane
+  MaybeIndex<LightEdge> edge;  ///< nothing for a diagonal of a light whose vertices were rounded off their plane
   BlockerVertex vertex;
 
   friend bool operator==(const LightPlane&, const LightPlane&) = default;
