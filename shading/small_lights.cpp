@@ -135,16 +135,32 @@ struct End {
   double error = 0;
 };
 
+/// A stretch and its own length: of a short one the ends do not tell that well enough.
+struct FastStretch {
+  End from;
+  End to;
+  Vector along;      ///< from one end to the other
+  double error = 0;  ///< of `along`
+};
+
 /// With u and v the unit vectors to the ends, n the unit normal of their plane and h the distance of the light's line,
-/// the integral is (v - u) . (n x N) / h.
-/// Bound. Unit vectors err by 5 u and by twice what their ends are off in parts of their length.
-Irradiance seen_across(const End& a, const End& b, const Crosswise& light) {
-  const Vector change = unit_vector(b.place) + -1 * unit_vector(a.place);
+/// the integral is (v - u) . (n x N) / h. Of ends A and B a way D apart v - u is (D - u D . (A + B) / (|A| + |B|)) /
+/// |B|, which keeps the digits of D; the plain difference of u and v loses those that both have. Bound. With errors in
+/// parts of lengths, u errs by twice that of A and 5 u, the quotient after D by twice those of both ends and 9 u; the
+/// difference rounds 2 u and 1 / |B| 9 u. So the whole errs by twice what D does and these, times D.
+Irradiance seen_across(const FastStretch& stretch, const Crosswise& light) {
+  const Vector& a = stretch.from.place;
+  const Vector& b = stretch.to.place;
+  const Vector& d = stretch.along;
+  const double a_length = safe_length(a), b_length = safe_length(b);
+  const double share = dot(d, a + b) / (a_length + b_length);
+  const Vector change = 1 / b_length * (d + -share * unit_vector(a));
   const double value = dot(change, light.tangent) / light.distance;
-  const double ends = 2.1 * (a.error / safe_length(a.place) + b.error / safe_length(b.place)) + 20 * unit;
-  const double error = (ends + length_above(change) * light.error) / light.distance;
+  const double ends = stretch.from.error / a_length + stretch.to.error / b_length;
+  const double moved = (2.1 * stretch.error + (6 * ends + 26 * unit) * 1.01 * safe_length(d)) / b_length;
+  const double error = (moved + length_above(change) * light.error) / light.distance;
   const double bound = 1.01 * (error + std::fabs(value) * light.error);
-  return {std::fmax(value, 0), bound >= 0 ? bound : HUGE_VAL};
+  return {std::fmax(value, 0), bound >= 0 && ends < 0.01 ? bound : HUGE_VAL};
 }
 
 /// What a stretch that is not seen end-on is measured by, each number correctly rounded: distances r of its ends, their
@@ -170,13 +186,18 @@ struct ExactStretch {
   double s_over_r(std::size_t end) const {
     return nearest_root(Rational(place[end] * place[end] / (along_square * distance_square[end])));
   }
+  /// (r s)², and its root.
+  Rational product_square(std::size_t end) const {
+    return Rational(place[end] * place[end] / along_square * distance_square[end]);
+  }
+  double product(std::size_t end) const { return nearest_root(product_square(end)); }
   bool goes_past_the_foot() const { return place[0].sign() * place[1].sign() < 0; }
 };
 
 /// The part of the normal across the line: the integral of h / r³, that is (s2 / r2 - s1 / r1) / h, times N . e, with e
-/// the direction to the foot. Beyond the foot s / (h r) is 1 / h - h / (r (r + s)), and what is subtracted is written
-/// without 1 / h, of which nothing is left.
-/// Bound. Roots and quotients are off by u each, at most 6 of them, in terms that are added as they are bounded.
+/// the direction to the foot. Beyond the foot s / (h r) is 1 / h - h / (r (r + s)); without 1 / h, of which nothing is
+/// left, the difference is that of q = r² + r s over both products, and r s is a root: nothing cancels, however short
+/// the stretch. Bound. Roots and quotients are off by u each, at most 14 of them.
 Irradiance across_part(const ExactStretch& stretch, const ExactVector& normal) {
   const Rational height = dot(normal, stretch.foot);
   if (stretch.goes_past_the_foot()) {
@@ -184,14 +205,15 @@ Irradiance across_part(const ExactStretch& stretch, const ExactVector& normal) {
     const double value = slope * (stretch.s_over_r(0) + stretch.s_over_r(1));
     return {value, 12 * unit * std::fabs(value)};
   }
-  std::array<double, 2> quotients{};
-  for (std::size_t end = 0; end < 2; ++end) {
-    quotients[end] = 1 / (stretch.r(end) * (stretch.r(end) + stretch.s(end)));
-  }
   const bool comes_nearer = stretch.place[0] < 0 || stretch.place[1] < 0;
-  const double difference = comes_nearer ? quotients[1] - quotients[0] : quotients[0] - quotients[1];
-  const double h = nearest_double(height);
-  return {h * difference, 14 * unit * std::fabs(h) * (quotients[0] + quotients[1])};
+  const std::size_t near = comes_nearer ? 1 : 0, far = 1 - near;
+  const double squares = nearest_double(Rational(stretch.distance_square[far] - stretch.distance_square[near]));
+  const double root = nearest_root(Rational(stretch.product_square(far) - stretch.product_square(near)));
+  const double products = root * (root / (stretch.product(far) + stretch.product(near)));
+  const double q_near = stretch.r(near) * (stretch.r(near) + stretch.s(near));
+  const double q_far = stretch.r(far) * (stretch.r(far) + stretch.s(far));
+  const double value = nearest_double(height) * (squares + products) / q_near / q_far;
+  return {value, 20 * unit * std::fabs(value)};
 }
 
 /// The part along the line: the integral of s / r³, that is 1 / r1 - 1 / r2, times N . d.
@@ -199,8 +221,10 @@ Irradiance along_part(const ExactStretch& stretch, const ExactVector& normal) {
   const Rational product = dot(normal, stretch.along);
   const double size = nearest_root(Rational(product * product / stretch.along_square));
   const double cosine = product < 0 ? -size : size;
-  const double from = 1 / stretch.r(0), to = 1 / stretch.r(1);
-  return {cosine * (from - to), 8 * unit * size * (from + to)};
+  const double from = stretch.r(0), to = stretch.r(1);
+  const double squares = nearest_double(Rational(stretch.distance_square[1] - stretch.distance_square[0]));
+  const double value = cosine * (squares / (from + to) / from / to);
+  return {value, 12 * unit * std::fabs(value)};
 }
 
 /// Cosine over squared distance, added up along a stretch. With s the place along the line, h its distance, d its
@@ -226,9 +250,28 @@ End end_of(const StretchEnd& end, const Vector& start, const Vector& along) {
   return {start + end.share * along, end.error * length_above(along) + 6 * unit * size};
 }
 
+/// Bound. The light's direction is a difference of doubles, rounded; shares are off by what they say.
+FastStretch stretch_of(const VisibleStretch& seen, const Vector& start, const Vector& along) {
+  const double share = seen.to.share - seen.from.share;
+  const double error = (seen.from.error + seen.to.error + 6 * unit * std::fabs(share)) * length_above(along);
+  return {end_of(seen.from, start, along), end_of(seen.to, start, along), share * along, error};
+}
+
+/// The part of a stretch before the place where its height over the horizon, or what rounding made of it, is 0.
+/// Requires: heights of different signs. Bound. The cut may be anywhere that is on the stretch up to rounding.
+FastStretch cut_at_horizon(const FastStretch& stretch, double from_height, double to_height, double size) {
+  const double share = from_height / (from_height - to_height);
+  const End cut{stretch.from.place + share * stretch.along, stretch.from.error + stretch.to.error + 6 * unit * size};
+  const double kept = from_height < 0 ? -to_height / (from_height - to_height) : share;
+  const double error = stretch.error + 4 * unit * length_above(stretch.along);
+  if (from_height < 0) return {cut, stretch.to, kept * stretch.along, error};
+  return {stretch.from, cut, kept * stretch.along, error};
+}
+
 /// A stretch is cut where its height over the horizon is about 0. Bound. Between the cut and the horizon, heights are
 /// no more than what rounding makes of them, the cosine is the height over the distance, and distances are at least h.
-Irradiance above_horizon(End from, End to, const Crosswise& light, const Vector& normal) {
+Irradiance above_horizon(const FastStretch& stretch, const Crosswise& light, const Vector& normal) {
+  const auto& [from, to, along, along_error] = stretch;
   const double normal_length = length(normal);
   const double from_height = dot(normal, from.place) / normal_length;
   const double to_height = dot(normal, to.place) / normal_length;
@@ -237,15 +280,11 @@ Irradiance above_horizon(End from, End to, const Crosswise& light, const Vector&
   if (from_height < -error && to_height < -error) return {};
   if (!(light.error < 0.5)) return infinite();
   const double h = light.distance * (1 - light.error);
-  const double cut_error = error * length_above(light.along) / (h * h * h);
-  if (from_height > error && to_height > error) return seen_across(from, to, light);
+  const double cut_error = error * (length_above(along) + along_error) / (h * h * h);
+  if (from_height > error && to_height > error) return seen_across(stretch, light);
   if (from_height <= 0 && to_height <= 0) return {0, 1.01 * cut_error};
-  if (from_height < 0 || to_height < 0) {
-    const double share = from_height / (from_height - to_height);
-    const Vector cut = from.place + share * (to.place + -1 * from.place);
-    (from_height < 0 ? from : to) = {cut, from.error + to.error + 6 * unit * size};
-  }
-  Irradiance part = seen_across(from, to, light);
+  const bool is_cut = from_height < 0 || to_height < 0;
+  Irradiance part = seen_across(is_cut ? cut_at_horizon(stretch, from_height, to_height, size) : stretch, light);
   part.error_bound += 1.01 * cut_error;
   return part;
 }
@@ -295,8 +334,7 @@ Irradiance linear_irradiance(const LinearLight& light, const LinearLightSeen& se
   const Crosswise across = crosswise(start, along, n);
   Irradiance sum;
   for (const VisibleStretch& stretch : seen.visible) {
-    const Irradiance part =
-        above_horizon(end_of(stretch.from, start, along), end_of(stretch.to, start, along), across, n);
+    const Irradiance part = above_horizon(stretch_of(stretch, start, along), across, n);
     sum.value += part.value;
     sum.error_bound += part.error_bound + 2 * unit * sum.value;
   }

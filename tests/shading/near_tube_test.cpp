@@ -117,6 +117,33 @@ TEST(NearTube, BoundsAreFiniteForCoordinatesOfEverySize) {
   }
 }
 
+/// A point next to the origin that looks up, and a tube above its horizon that is `length` long or little more.
+LinearLight tiny_tube(Dice& dice, double length) {
+  const auto draw = [&](int low, int high) { return dice.draw(low * 1000, high * 1000) / 1000.0 + 1e-3 / 7; };
+  const Point3 start{draw(-3, 3), draw(-3, 3), draw(1, 4)};
+  return {start, {start.x + length * draw(-1, 1), start.y + length * draw(-1, 1), start.z + length * draw(0, 1)}};
+}
+
+TEST(TinyTube, KeepsItsDigitsHoweverShortItIs) {
+  Dice dice(8);
+  const std::array<Rational, 2> whole{0, 1};
+  for (int round = 0; round < 2000; ++round) {
+    const LinearLight light = tiny_tube(dice, std::pow(10.0, -dice.draw(0, 9)));
+    const Point3 p{dice.draw(-9, 9) / 9.0, dice.draw(-9, 9) / 9.0, 0};
+    if (light.start == light.end) continue;
+    const Long exact = irradiance(light, p, {0.3, 0.2, 2});
+    const LongVector from = difference(light.start, p), along = difference(light.end, light.start);
+    const Long across = sqrt(dot(along, along)) / dot(from, from);  // roughly, without the cosine
+    LightIrradiance received(light, 1, PreparedObstacles({}));
+    for (const Irradiance& e :
+         {received.at(p, {0.3, 0.2, 2}), linear_irradiance(light, {&whole, 1}, p, {0.3, 0.2, 2})}) {
+      ASSERT_LE(abs(exact - e.value), Long(e.error_bound)) << round;
+      ASSERT_LE(abs(exact - e.value), 8e-14 * across) << round;
+      ASSERT_LE(Long(e.error_bound), 1e-11 * across) << round;
+    }
+  }
+}
+
 TEST(NearTubeDegenerate, OnTheTubeItselfNothingElseIsKnown) {
   LightIrradiance received(LinearLight{{0, 0, 0}, {1, 0, 0}}, 1, PreparedObstacles({}));
   EXPECT_EQ(received.at({0.5, 0, 0}, {1, 0, 0}).value, HUGE_VAL);
