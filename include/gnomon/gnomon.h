@@ -27,6 +27,7 @@
 #include "gnomon/picture.h"
 #include "gnomon/point.h"
 #include "gnomon/receiver_mesh.h"
+#include "gnomon/reflection.h"
 #include "gnomon/result.h"
 #include "gnomon/scene.h"
 #include "gnomon/shadow_mesh.h"

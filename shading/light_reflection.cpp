@@ -1,0 +1,125 @@
+#include <cmath>
+#include <utility>
+
+#include "geometry/visibility/prepared_obstacles.h"
+#include "geometry/visibility/visible_part.h"
+#include "gnomon/errors.h"
+#include "gnomon/reflection.h"
+#include "shading/reflection/area_reflection.h"
+#include "shading/reflection/linear_reflection.h"
+#include "shading/reflection/small_reflection.h"
+
+namespace gnomon {
+namespace {
+
+using shading::Sight;
+
+bool is_reflected(Region region) {
+  return region == Region::lit || region == Region::penumbra;
+}
+
+Sight sight_of(const View& view, ReflectionModel model, int exponent) {
+  const auto& [point, n, e] = view;
+  const bool is_finite =
+      std::isfinite(point.x + point.y + point.z) && std::isfinite(n.x + n.y + n.z) && std::isfinite(e.x + e.y + e.z);
+  if (!is_finite || n == Point3{} || e == Point3{}) {
+    throw PreconditionError("a view needs finite coordinates, a normal and a direction to the eye");
+  }
+  if (exponent < 0 || exponent > 10000) throw PreconditionError("a lobe's exponent is from 0 to 10000");
+  return {point, shading::of_size_one({n.x, n.y, n.z}), shading::of_size_one({e.x, e.y, e.z}), {model, exponent}};
+}
+
+bool eye_is_above(const Sight& sight) {
+  const auto& n = sight.normal;
+  const auto& e = sight.to_eye;
+  const shading::Bounded height =
+      dot(Vector3<shading::Bounded>{n.x, n.y, n.z}, Vector3<shading::Bounded>{e.x, e.y, e.z});
+  const int sign = shading::certain_sign(height);
+  return sign != 2 ? sign > 0 : dot(shading::exact(n), shading::exact(e)) > 0;
+}
+
+Reflection without_size(const Light& light, const Sight& sight) {
+  if (const auto* point = std::get_if<PointLight>(&light)) return shading::point_reflection(*point, sight);
+  return shading::directional_reflection(std::get<DirectionalLight>(light), sight);
+}
+
+/// What the fast level sees of a light, and what is reflected of it. Nothing where doubles do not decide.
+struct Reflected {
+  const Light& light;
+  const ReceiverPoint& receiver;
+  const Sight& sight;
+
+  std::optional<Reflection> operator()(FastPointVisibility& level) const {
+    const std::optional<Region> region = level.region_of(receiver);
+    if (!region) return std::nullopt;
+    return is_reflected(*region) ? without_size(light, sight) : Reflection{};
+  }
+  std::optional<Reflection> operator()(FastLinearVisibility& level) const {
+    const std::optional<LinearLightSeen> seen = level.seen_by(receiver);
+    if (!seen) return std::nullopt;
+    if (!is_reflected(seen->region)) return Reflection{};
+    return shading::linear_reflection(std::get<LinearLight>(light), *seen, sight);
+  }
+  std::optional<Reflection> operator()(FastVisibility& level) const {
+    const std::optional<LightSeen> seen = level.seen_by(receiver);
+    if (!seen) return std::nullopt;
+    if (!is_reflected(seen->region)) return Reflection{};
+    return shading::area_reflection(*seen, sight);
+  }
+};
+
+}  // namespace
+
+class LightReflection::Work {
+ public:
+  Work(Light light, PreparedObstacles obstacles)
+      : light_(std::move(light)),
+        obstacles_(std::move(obstacles)),
+        fast_(fast_level(light_, obstacles_.content().blockers)) {}
+
+  Reflection answer(const ReceiverPoint& receiver, const Sight& sight) {
+    if (!eye_is_above(sight) || obstacles_.content().encloses(receiver)) return {};
+    const std::optional<Reflection> fast = std::visit(Reflected{light_, receiver, sight}, fast_);
+    return fast ? *fast : exact_answer(receiver, sight);
+  }
+
+ private:
+  Reflection exact_answer(const ReceiverPoint& receiver, const Sight& sight) const {
+    const VisiblePart part = exact_visible_part(light_, obstacles_.obstacles(), receiver);
+    if (!is_reflected(part.region)) return {};
+    if (const auto* linear = std::get_if<LinearLight>(&light_)) {
+      return shading::linear_reflection(*linear, part.intervals, sight);
+    }
+    if (const auto* area = std::get_if<AreaLight>(&light_)) {
+      return shading::area_reflection(part.facets, area->two_sided, sight);
+    }
+    return without_size(light_, sight);
+  }
+
+  Light light_;
+  PreparedObstacles obstacles_;
+  FastLevel fast_;
+};
+
+LightReflection::LightReflection(Light light, PreparedObstacles obstacles)
+    : work_(std::make_unique<Work>(std::move(light), std::move(obstacles))) {}
+LightReflection::LightReflection(LightReflection&&) noexcept = default;
+LightReflection& LightReflection::operator=(LightReflection&&) noexcept = default;
+LightReflection::~LightReflection() = default;
+
+Reflection LightReflection::received(const ReceiverPoint& receiver, const View& view, ReflectionModel model,
+                                     int exponent) {
+  return work_->answer(receiver, sight_of(view, model, exponent));
+}
+
+Reflection LightReflection::at(const View& view, ReflectionModel model, int exponent) {
+  return received({view.point, FacingNormal{view.normal}}, view, model, exponent);
+}
+
+RadianceRgb light_radiance(const Light& light, const Rgb& strength, const Obstacles& obstacles, const View& view,
+                           const Material& material) {
+  LightReflection reflection(light, PreparedObstacles(obstacles));
+  return reflected_radiance(reflection.at(view, material.model, material.exponent), material, strength);
+}
+
+}  // namespace gnomon

@@ -1,0 +1,188 @@
+#include "shading/reflection/linear_reflection.h"
+
+#include <algorithm>
+
+#include "shading/reflection/linear_forms.h"
+
+namespace gnomon::shading {
+namespace {
+
+template <class Number>
+void add_received(Integrals<Number>& sums, const StretchArc<Number>& seen, const Directions<Number>& view) {
+  sums.received = sums.received + linear_diffuse(seen, view.normal);
+  sums.received_peak += middle(seen.arc.angle) / middle(seen.distance);
+}
+
+template <class Number>
+void add_lobe(Integrals<Number>& sums, const StretchArc<Number>& seen, const Directions<Number>& view,
+              const Lobe& lobe) {
+  sums.lobe = sums.lobe + linear_lobe(seen, view, lobe);
+}
+
+template <class Number>
+void set_lobe_peak(Integrals<Number>& sums, const Lobe& lobe, double distance) {
+  sums.lobe_peak = std::fmin(sums.received_peak, lobe_peak(lobe.exponent, std::numbers::pi) / distance);
+}
+
+/// A difference of doubles, rounded.
+Vector3<Bounded> rounded_difference(const Point3& a, const Point3& b, int size) {
+  const Vector d = scaled({a.x - b.x, a.y - b.y, a.z - b.z}, -size);
+  return {{d.x, unit * std::fabs(d.x)}, {d.y, unit * std::fabs(d.y)}, {d.z, unit * std::fabs(d.z)}};
+}
+
+int size_of(const Point3& a, const Point3& b) {
+  return exponent(Vector{a.x - b.x, a.y - b.y, a.z - b.z});
+}
+
+/// Adds a stretch of the fast level; false if that does not decide.
+bool add_stretch(Integrals<Bounded>& sums, Stretch<Bounded> stretch, const Directions<Bounded>& view,
+                 const Lobe& lobe) {
+  const Cut horizon = cut_before(stretch, view.normal);
+  if (horizon == Cut::uncertain) return false;
+  if (horizon == Cut::nothing_left) return true;
+  const StretchArc<Bounded> seen(stretch);
+  add_received(sums, seen, view);
+  if (lobe.is_about_halfway()) {
+    add_lobe(sums, seen, view, lobe);
+  } else {
+    const Cut mirror = cut_before(stretch, view.mirror);
+    if (mirror == Cut::uncertain) return false;
+    if (mirror == Cut::done) add_lobe(sums, StretchArc<Bounded>(stretch), view, lobe);
+  }
+  set_lobe_peak(sums, lobe, middle(seen.distance));
+  return true;
+}
+
+/// What is visible of a light, cut exactly.
+struct ExactParts {
+  std::vector<Stretch<Rational>> above_horizon;
+  std::vector<Stretch<Rational>> before_mirror;  ///< for lobes about R, else as above
+  bool is_end_on = false;
+  bool holds_point = false;
+  int size = 0;  ///< lengths are divided by 2^size
+};
+
+Vector3<Rational> rational_vector(const ExactVector& v) {
+  return {v.x, v.y, v.z};
+}
+
+ExactVector exact_vector(const Vector3<Rational>& v) {
+  return {v.x, v.y, v.z};
+}
+
+bool is_null(const Vector3<Rational>& v) {
+  return v.x == 0 && v.y == 0 && v.z == 0;
+}
+
+/// The binary exponent of the nearest end, which integrals fall with.
+int nearest_exponent(const std::vector<Stretch<Rational>>& parts) {
+  int size = std::numeric_limits<int>::max();
+  for (const Stretch<Rational>& part : parts) {
+    for (const Vector3<Rational>& end : {part.from, plus(part.from, part.along)}) {
+      const ExactVector v = exact_vector(end);
+      if (!is_zero(v))
+        size = std::min(size, exponent(Vector{nearest_double(v.x), nearest_double(v.y), nearest_double(v.z)}));
+    }
+  }
+  return size == std::numeric_limits<int>::max() ? 0 : size;
+}
+
+Rational two_to(int exponent) {
+  const int half = exponent / 2;
+  return Rational(std::scalbn(1.0, half)) * Rational(std::scalbn(1.0, exponent - half));
+}
+
+void divide(std::vector<Stretch<Rational>>& parts, const Rational& by) {
+  const Rational factor = 1 / by;
+  for (Stretch<Rational>& part : parts) part = {times(factor, part.from), times(factor, part.along)};
+}
+
+ExactParts exact_parts(const LinearLight& light, std::span<const std::array<Rational, 2>> intervals,
+                       const Sight& sight) {
+  const Vector3<Rational> start = rational_vector(exact(light.start) - exact(sight.point));
+  const Vector3<Rational> along = rational_vector(exact(light.end) - exact(light.start));
+  const Vector3<Rational> normal = rational_vector(exact(sight.normal)), mirror = rational_vector(exact_mirror(sight));
+  ExactParts parts;
+  parts.is_end_on = is_null(cross(start, along));
+  for (const std::array<Rational, 2>& interval : intervals) {
+    Stretch<Rational> part{plus(start, times(interval[0], along)), times(Rational(interval[1] - interval[0]), along)};
+    if (cut_before(part, normal) != Cut::done) continue;
+    parts.above_horizon.push_back(part);
+    parts.holds_point |= parts.is_end_on && dot(part.from, plus(part.from, part.along)) <= 0;
+    if (sight.lobe.is_about_halfway() || cut_before(part, mirror) == Cut::done) parts.before_mirror.push_back(part);
+  }
+  parts.size = nearest_exponent(parts.above_horizon);
+  const Rational by = two_to(parts.size);
+  divide(parts.above_horizon, by);
+  divide(parts.before_mirror, by);
+  return parts;
+}
+
+template <class Number>
+Stretch<Number> in_numbers(const Stretch<Rational>& part) {
+  return {vector_of<Number>(exact_vector(part.from)), vector_of<Number>(exact_vector(part.along))};
+}
+
+template <class Number>
+Integrals<Number> across(const ExactParts& parts, const Directions<Number>& view, const Lobe& lobe) {
+  Integrals<Number> sums;
+  double distance = 1;
+  for (const Stretch<Rational>& part : parts.above_horizon) {
+    const StretchArc<Number> seen(in_numbers<Number>(part));
+    add_received(sums, seen, view);
+    distance = middle(seen.distance);
+  }
+  for (const Stretch<Rational>& part : parts.before_mirror) {
+    add_lobe(sums, StretchArc<Number>(in_numbers<Number>(part)), view, lobe);
+  }
+  set_lobe_peak(sums, lobe, distance);
+  return sums;
+}
+
+/// One direction u, and 1 / r² along it.
+template <class Number>
+Integrals<Number> end_on(const ExactParts& parts, const Directions<Number>& view, const Lobe& lobe) {
+  Integrals<Number> sums;
+  for (const Stretch<Rational>& part : parts.above_horizon) {
+    const Stretch<Number> s = in_numbers<Number>(part);
+    const Number a = norm(s.from), b = norm(plus(s.from, s.along));
+    const bool comes_nearer = dot(part.from, part.along) < 0;
+    const Number weight = comes_nearer ? norm(s.along) / (b * a) : norm(s.along) / (a * b);
+    const Vector3<Number> u = over(s.from, a);
+    sums.received = sums.received + weight * dot(view.normal, u);
+    sums.lobe = sums.lobe + weight * lobe_value(lobe, view, u);
+    sums.received_peak += middle(weight);
+  }
+  sums.lobe_peak = sums.received_peak;
+  return sums;
+}
+
+}  // namespace
+
+std::optional<Reflection> linear_reflection(const LinearLight& light, const LinearLightSeen& seen, const Sight& sight) {
+  const int size = std::max(size_of(light.start, sight.point), size_of(light.end, light.start));
+  const Vector3<Bounded> start = rounded_difference(light.start, sight.point, size);
+  const Vector3<Bounded> along = rounded_difference(light.end, light.start, size);
+  const Directions<Bounded> view = directions<Bounded>(sight.normal, sight.to_eye);
+  Integrals<Bounded> sums;
+  for (const VisibleStretch& stretch : seen.visible) {
+    const Bounded from(stretch.from.share, stretch.from.error), to(stretch.to.share, stretch.to.error);
+    const Stretch<Bounded> part{plus(start, times(from, along)), times(to - from, along)};
+    if (!add_stretch(sums, part, view, sight.lobe)) return std::nullopt;
+  }
+  if (!is_narrow(sums)) return std::nullopt;
+  return reflection(sums, size);
+}
+
+Reflection linear_reflection(const LinearLight& light, std::span<const std::array<Rational, 2>> intervals,
+                             const Sight& sight) {
+  const ExactParts parts = exact_parts(light, intervals, sight);
+  if (parts.holds_point) return {{HUGE_VAL, HUGE_VAL}, {HUGE_VAL, HUGE_VAL}};
+  const auto ask = [&]<class Number>(const Number&) {
+    const Directions<Number> view = directions<Number>(sight.normal, sight.to_eye);
+    return parts.is_end_on ? end_on(parts, view, sight.lobe) : across(parts, view, sight.lobe);
+  };
+  return with_rising_precision(ask, parts.size);
+}
+
+}  // namespace gnomon::shading
