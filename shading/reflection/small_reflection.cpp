@@ -3,6 +3,11 @@
 namespace gnomon::shading {
 namespace {
 
+/// The nearest doubles.
+Vector difference(const PointLight& light, const Point3& p) {
+  return {light.position.x - p.x, light.position.y - p.y, light.position.z - p.z};
+}
+
 /// Of light along a vector towards it, and what it gives across.
 template <class Number>
 Integrals<Number> along(const Vector3<Number>& towards, const Number& across, const Sight& sight) {
@@ -12,17 +17,30 @@ Integrals<Number> along(const Vector3<Number>& towards, const Number& across, co
   return {across * positive_part(dot(view.normal, light)), across * lobe_value(sight.lobe, view, light), peak, peak};
 }
 
+/// From the surface's point to the light, over 2^size: rounded, or exact.
+template <class Number>
+Vector3<Number> towards(const PointLight& light, const Point3& p, int size);
+
+template <>
+Vector3<Bounded> towards(const PointLight& light, const Point3& p, int size) {
+  const Vector d = scaled(difference(light, p), -size);
+  return {{d.x, unit * std::fabs(d.x)}, {d.y, unit * std::fabs(d.y)}, {d.z, unit * std::fabs(d.z)}};
+}
+
+template <>
+Vector3<Precise> towards(const PointLight& light, const Point3& p, int size) {
+  const int half = size / 2;
+  const Rational by = Rational(std::scalbn(1.0, -half)) * Rational(std::scalbn(1.0, half - size));
+  return vector_of<Precise>(by * (exact(light.position) - exact(p)));
+}
+
 }  // namespace
 
 Reflection point_reflection(const PointLight& light, const Sight& sight) {
-  const ExactVector towards = exact(light.position) - exact(sight.point);
-  if (is_zero(towards)) return {{HUGE_VAL, HUGE_VAL}, {HUGE_VAL, HUGE_VAL}};
-  const Vector nearest{nearest_double(towards.x), nearest_double(towards.y), nearest_double(towards.z)};
-  const int size = exponent(nearest), half = size / 2;
-  const Rational by = Rational(std::scalbn(1.0, -half)) * Rational(std::scalbn(1.0, half - size));
-  const ExactVector scaled = by * towards;
+  if (light.position == sight.point) return {{HUGE_VAL, HUGE_VAL}, {HUGE_VAL, HUGE_VAL}};
+  const int size = exponent(difference(light, sight.point));
   const auto ask = [&]<class Number>(const Number&) {
-    const Vector3<Number> d = vector_of<Number>(scaled);
+    const Vector3<Number> d = towards<Number>(light, sight.point, size);
     return along(d, Number(1.0) / dot(d, d), sight);
   };
   return with_rising_precision(ask, 2 * size);
