@@ -13,7 +13,7 @@ namespace {
 
 using namespace test_support;
 
-constexpr double rounding = 0x1p-53;
+constexpr double one_rounding = 0x1p-53;
 
 /// A light's direction above the horizon and an eye; half of them bent: a grazing eye or light, an eye that sees the
 /// light mirrored to an ulp, or that looks against it.
@@ -59,13 +59,14 @@ TEST_P(SmallReflectionAgreement, PointsAndDirectionsAreTheIntegrandItself) {
     const Long square = Long(towards.x) * towards.x + Long(towards.y) * towards.y + Long(towards.z) * towards.z;
     const double across = 1 / static_cast<double>(square);
     const bool is_halfway = GetParam() == ReflectionModel::blinn || GetParam() == ReflectionModel::blinn_classic;
-    const double widest = is_halfway ? 1e-9 : (64 * n + 64) * rounding;  // H is uncertain next to the light's opposite
+    const double widest =
+        is_halfway ? 1e-9 : (64 * n + 64) * one_rounding;  // H is uncertain next to the light's opposite
     const Reflection point = LightReflection(PointLight{towards}, PreparedObstacles({})).at(view, GetParam(), n);
-    expect_close(point.received, exact.received / square, across, 64 * rounding);
+    expect_close(point.received, exact.received / square, across, 64 * one_rounding);
     expect_close(point.lobe, exact.lobe / square, across, widest);
     const DirectionalLight sun{{-towards.x, -towards.y, -towards.z}};
     const Reflection direction = LightReflection(sun, PreparedObstacles({})).at(view, GetParam(), n);
-    expect_close(direction.received, exact.received, 1, 64 * rounding);
+    expect_close(direction.received, exact.received, 1, 64 * one_rounding);
     expect_close(direction.lobe, exact.lobe, 1, widest);
     if (HasFatalFailure()) FAIL() << round;
   }
@@ -73,7 +74,7 @@ TEST_P(SmallReflectionAgreement, PointsAndDirectionsAreTheIntegrandItself) {
 
 INSTANTIATE_TEST_SUITE_P(Models, SmallReflectionAgreement, ::testing::ValuesIn(all_models));
 
-const View plain{{0, 0, 0}, {0, 0, 1}, {0, 0, 1}};
+const View straight_view{{0, 0, 0}, {0, 0, 1}, {0, 0, 1}};
 
 TEST(ReflectionDegenerate, AnEyeThatIsNotAboveSeesNothing) {
   LightReflection lamp(PointLight{{0, 0, 2}}, PreparedObstacles({}));
@@ -86,7 +87,7 @@ TEST(ReflectionDegenerate, AnEyeThatIsNotAboveSeesNothing) {
 
 TEST(ReflectionDegenerate, OnALinearLightItIsInfinite) {
   const LinearLight light{{0, 0, 0}, {0, 0, 1}};
-  const Reflection r = LightReflection(light, PreparedObstacles({})).at(plain, ReflectionModel::phong, 8);
+  const Reflection r = LightReflection(light, PreparedObstacles({})).at(straight_view, ReflectionModel::phong, 8);
   EXPECT_TRUE(std::isinf(r.lobe.error_bound));
   EXPECT_TRUE(std::isinf(reflected_radiance(r, {}, {1, 1, 1})[0].value));
 }
@@ -102,7 +103,7 @@ TEST(ReflectionDegenerate, ALinearLightSeenEndOnIsOneDirection) {
 
 TEST(Reflection, WithoutExponentTheCosineWeightedLobeIsTheIrradiance) {
   LightReflection tube(LinearLight{{-1, 1, 2}, {2, 1, 3}}, PreparedObstacles({}));
-  const Reflection r = tube.at(plain, ReflectionModel::phong, 0);
+  const Reflection r = tube.at(straight_view, ReflectionModel::phong, 0);
   EXPECT_NEAR(r.lobe.value, r.received.value, r.lobe.error_bound + r.received.error_bound);
 }
 
@@ -128,8 +129,8 @@ TEST(Reflection, WhatHasNoMeaningIsRefused) {
   EXPECT_THROW(lamp.at({{0, 0, 0}, {0, 0, 0}, {0, 0, 1}}, ReflectionModel::phong, 1), PreconditionError);
   EXPECT_THROW(lamp.at({{0, 0, 0}, {0, 0, 1}, {0, 0, 0}}, ReflectionModel::phong, 1), PreconditionError);
   EXPECT_THROW(lamp.at({{NAN, 0, 0}, {0, 0, 1}, {0, 0, 1}}, ReflectionModel::phong, 1), PreconditionError);
-  EXPECT_THROW(lamp.at(plain, ReflectionModel::phong, -1), PreconditionError);
-  EXPECT_THROW(lamp.at(plain, ReflectionModel::phong, 10001), PreconditionError);
+  EXPECT_THROW(lamp.at(straight_view, ReflectionModel::phong, -1), PreconditionError);
+  EXPECT_THROW(lamp.at(straight_view, ReflectionModel::phong, 10001), PreconditionError);
   EXPECT_THROW(exponent_of_highlight(0, 0.5), PreconditionError);
 }
 
