@@ -20,16 +20,15 @@ bool is_reflected(Region region) {
 
 Sight sight_of(const View& view, ReflectionModel model, int exponent) {
   const auto& [point, n, e] = view;
-  const bool is_finite =
-      std::isfinite(point.x + point.y + point.z) && std::isfinite(n.x + n.y + n.z) && std::isfinite(e.x + e.y + e.z);
-  if (!is_finite || n == Point3{} || e == Point3{}) {
+  const auto is_finite = [](const Point3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); };
+  if (!is_finite(point) || !is_finite(n) || !is_finite(e) || n == Point3{} || e == Point3{}) {
     throw PreconditionError("a view needs finite coordinates, a normal and a direction to the eye");
   }
   if (exponent < 0 || exponent > 10000) throw PreconditionError("a lobe's exponent is from 0 to 10000");
   return {point, shading::of_size_one({n.x, n.y, n.z}), shading::of_size_one({e.x, e.y, e.z}), {model, exponent}};
 }
 
-bool eye_is_above(const Sight& sight) {
+bool is_eye_above(const Sight& sight) {
   const auto& n = sight.normal;
   const auto& e = sight.to_eye;
   const shading::Bounded height =
@@ -78,7 +77,7 @@ class LightReflection::Work {
         fast_(fast_level(light_, obstacles_.content().blockers)) {}
 
   Reflection answer(const ReceiverPoint& receiver, const Sight& sight) {
-    if (!eye_is_above(sight) || obstacles_.content().encloses(receiver)) return {};
+    if (!is_eye_above(sight) || obstacles_.content().encloses(receiver)) return {};
     const std::optional<Reflection> fast = std::visit(Reflected{light_, receiver, sight}, fast_);
     return fast ? *fast : exact_answer(receiver, sight);
   }
@@ -100,6 +99,10 @@ class LightReflection::Work {
   PreparedObstacles obstacles_;
   FastLevel fast_;
 };
+
+bool eye_is_above(const View& view) {
+  return is_eye_above(sight_of(view, ReflectionModel::phong, 0));
+}
 
 LightReflection::LightReflection(Light light, PreparedObstacles obstacles)
     : work_(std::make_unique<Work>(std::move(light), std::move(obstacles))) {}

@@ -45,6 +45,9 @@ ExitCode grid_command(Arguments arguments);
 /// `gnomon irradiance`: what every light gives to receivers at given points, as CSV and JSON.
 ExitCode irradiance_command(Arguments arguments);
 
+/// `gnomon radiance`: what surfaces at given points reflect of every light to eyes, as CSV and JSON.
+ExitCode radiance_command(Arguments arguments);
+
 /// `gnomon discontinuities`: the surfaces in space across which the visible fraction changes its formula.
 ExitCode discontinuities_command(Arguments arguments);
 

@@ -12,6 +12,7 @@ constexpr std::array commands{
     Command{"regions", "region and visible fraction of every light at given points", regions_command},
     Command{"grid", "the same for the points of a grid, as VTK image data", grid_command},
     Command{"irradiance", "the irradiance that every light gives to given points", irradiance_command},
+    Command{"radiance", "what surfaces reflect to eyes, at given points", radiance_command},
     Command{"discontinuities", "surfaces where what is seen of a light changes its formula", discontinuities_command},
     Command{"receivers", "regions and discontinuity mesh on every receiver", receivers_command},
     Command{"render", "makes a picture of a scene or of a result folder", render_command},

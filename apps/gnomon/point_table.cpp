@@ -55,11 +55,13 @@ bool is_utf16(std::string_view text) {
 
 std::string wanted_columns(TableColumns columns) {
   if (columns == TableColumns::planar_points) return column_names(2);
+  if (columns == TableColumns::views) return column_names(9);
   return column_names(columns == TableColumns::points_with_normals ? 6 : 3);
 }
 
 std::string wanted_count(TableColumns columns) {
   if (columns == TableColumns::planar_points) return "two";
+  if (columns == TableColumns::views) return "nine";
   return columns == TableColumns::points_with_normals ? "six" : "three or six";
 }
 
@@ -124,7 +126,7 @@ std::variant<PointRow, MalformedRow> PointTable::row() const {
     return MalformedRow{line_,
                         "found " + counted(fields.size(), "field") + ", expected " + std::to_string(dialect_.columns)};
   }
-  PointRow point{line_, with_commas(text_, dialect_.separator), {}, {}};
+  PointRow point{line_, with_commas(text_, dialect_.separator), {}, {}, {}};
   for (std::size_t i = 0; i < dialect_.numbers.size(); ++i) {
     const std::string_view field = fields[dialect_.numbers[i]];
     const std::optional<double> value = number_in_field(field);
@@ -132,10 +134,13 @@ std::variant<PointRow, MalformedRow> PointTable::row() const {
       return MalformedRow{line_, std::string(column_name(i)) + ": found " + excerpt(field) + ", expected " +
                                      (has_decimal_comma(field) ? "a decimal point, not a comma" : "a finite number")};
     }
-    (i < 3 ? point.coordinates : point.normal)[i % 3] = *value;
+    (i < 3 ? point.coordinates : i < 6 ? point.normal : point.eye)[i % 3] = *value;
   }
   if (has_normals() && point.normal == std::array<double, 3>{}) {
     return MalformedRow{line_, "nx,ny,nz: found 0,0,0, expected a direction"};
+  }
+  if (dialect_.numbers.size() == 9 && point.eye == point.coordinates) {
+    return MalformedRow{line_, "ex,ey,ez: found the point x,y,z itself, expected an eye elsewhere"};
   }
   if (csv_field_count(point.text) != dialect_.columns) {
     return MalformedRow{line_, "found " + excerpt(text_) + quote_trouble};

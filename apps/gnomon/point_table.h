@@ -17,6 +17,7 @@ struct PointRow {
   std::string text;                     ///< its fields as written, separated by commas
   std::array<double, 3> coordinates{};  ///< z is 0 in the plane
   std::array<double, 3> normal{};       ///< not zero where the table has normals
+  std::array<double, 3> eye{};          ///< not the point itself where the table has eyes
 };
 
 /// A row that is no point.
@@ -42,7 +43,7 @@ class PointTable {
   const std::string& header() const { return header_; }
 
   /// True if every row has a normal.
-  bool has_normals() const { return dialect_.numbers.size() == 6; }
+  bool has_normals() const { return dialect_.numbers.size() >= 6; }
 
   /// The next row; nothing at the end.
   std::optional<std::variant<PointRow, MalformedRow>> next();

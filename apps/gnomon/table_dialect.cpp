@@ -9,7 +9,7 @@
 namespace gnomon {
 namespace {
 
-constexpr std::array<std::string_view, 6> names = {"x", "y", "z", "nx", "ny", "nz"};
+constexpr std::array<std::string_view, 9> names = {"x", "y", "z", "nx", "ny", "nz", "ex", "ey", "ez"};
 constexpr std::array separators = {',', ';', '\t', ' '};
 constexpr std::string_view blanks = " \t";
 
@@ -54,7 +54,8 @@ std::optional<std::size_t> column_of(const std::vector<std::string_view>& fields
 
 bool names_any_normal(const std::vector<std::string_view>& fields) {
   return std::ranges::any_of(fields, [](std::string_view field) {
-    return std::any_of(names.begin() + 3, names.end(), [&](std::string_view name) { return is_called(field, name); });
+    return std::any_of(names.begin() + 3, names.begin() + 6,
+                       [&](std::string_view name) { return is_called(field, name); });
   });
 }
 
@@ -67,6 +68,8 @@ std::optional<std::size_t> wanted_numbers(const std::vector<std::string_view>& f
       return 3;
     case TableColumns::points_with_normals:
       return 6;
+    case TableColumns::views:
+      return 9;
     case TableColumns::points_perhaps_with_normals:
       break;
   }
@@ -89,6 +92,7 @@ std::optional<TableDialect> dialect_of_names(std::string_view line, char separat
 /// How many of the numbers of a row without header are read; 0 if it has too many or too few.
 std::size_t numbers_read(std::size_t fields, TableColumns columns) {
   if (columns == TableColumns::planar_points) return fields == 2 ? 2 : 0;
+  if (columns == TableColumns::views) return fields == 9 ? 9 : 0;
   if (fields != 3 && fields != 6) return 0;
   if (columns == TableColumns::points) return 3;
   if (columns == TableColumns::points_with_normals) return fields == 6 ? 6 : 0;

@@ -13,6 +13,7 @@ enum class TableColumns {
   planar_points,
   points,  ///< further columns, normals too, are passed over
   points_with_normals,
+  views,                        ///< points with normals, and eyes
   points_perhaps_with_normals,  ///< with normals where the table has them
 };
 
@@ -20,7 +21,7 @@ enum class TableColumns {
 struct TableDialect {
   char separator = ',';              ///< comma, semicolon, tab, or a blank, which stands for any run of blanks
   std::size_t columns = 0;           ///< fields of every row
-  std::vector<std::size_t> numbers;  ///< the columns of x, y, z, nx, ny, nz, as many as are read
+  std::vector<std::size_t> numbers;  ///< the columns of x, y, z, nx, ny, nz, ex, ey, ez, as many as are read
 };
 
 /// The fields of a line, as written, without the blanks around them. A separator in double quotes is part of a field.

@@ -8,6 +8,7 @@
 #include "geometry/scene/json_text.h"
 #include "geometry/scene/receiver_facets.h"
 #include "geometry/scene/scene_points.h"
+#include "geometry/scene/surface_reader.h"
 
 namespace gnomon {
 namespace {
@@ -129,6 +130,7 @@ std::vector<std::string> scene_doubts(const Scene& scene) {
   doubt_duplicates(scene.planar_blockers, doubts);
   doubt_backs(scene, doubts);
   doubt_dark_receivers(scene, doubts);
+  doubt_materials(scene, doubts);
   return doubts;
 }
 

@@ -10,6 +10,7 @@
 #include "geometry/scene/scene_doubts.h"
 #include "geometry/scene/scene_elements.h"
 #include "geometry/scene/spatial_reader.h"
+#include "geometry/scene/surface_reader.h"
 #include "gnomon/point.h"
 
 namespace gnomon {
@@ -71,9 +72,11 @@ Scene read_document(const JsonNode& document, const std::filesystem::path& folde
     document.allow_keys({"$schema", "gnomon", "dimension", "length_unit", "lights", "blockers", "receivers"},
                         "a scene of the plane");
   } else {
-    document.allow_keys({"$schema", "gnomon", "dimension", "length_unit", "up", "lights", "blockers", "receivers"},
+    document.allow_keys({"$schema", "gnomon", "dimension", "length_unit", "up", "ambient_radiance", "materials",
+                         "lights", "blockers", "receivers"},
                         "a scene");
     scene.up = up_axis(document);
+    read_materials(document, scene);
   }
   scene.length_unit = length_unit(document);
   const std::vector<SceneElement> lights = required_elements(document, "lights");

@@ -7,6 +7,7 @@
 #include "geometry/scene/polygon_reader.h"
 #include "geometry/scene/polygon_refusal.h"
 #include "geometry/scene/receiver_facets.h"
+#include "geometry/scene/surface_reader.h"
 
 namespace gnomon {
 namespace {
@@ -32,37 +33,39 @@ bool is_two_sided(const SceneElement& element) {
 }
 
 void read_area_light(const SceneElement& element, Scene& scene) {
-  element.node.allow_keys({"name", "shape", "vertices", "radiance", "two_sided"}, "a polygon light");
+  element.node.allow_keys({"name", "shape", "vertices", "radiance", "two_sided", "color"}, "a polygon light");
   const double radiance = strength(element, "radiance");
   const bool both = is_two_sided(element);
   for (NamedPolygon& part : polygon_parts(element.name, read_polygon(element, ConcaveRing::unsupported, scene))) {
-    scene.lights.push_back({std::move(part.name), AreaLight{std::move(part.polygon), both}, radiance});
+    scene.lights.push_back(
+        {std::move(part.name), AreaLight{std::move(part.polygon), both}, radiance, light_colour(element)});
   }
 }
 
 SceneLight read_linear_light(const SceneElement& element) {
-  element.node.allow_keys({"name", "shape", "vertices", "intensity_per_length"}, "a segment light");
+  element.node.allow_keys({"name", "shape", "vertices", "intensity_per_length", "color"}, "a segment light");
   const VertexNodes nodes = vertex_nodes(element);
   const std::vector<Point3> points = points3(nodes);
   if (points.size() != 2) nodes.list.refuse_value("an array of 2 points");
   if (points[0] == points[1]) {
     nodes.items[1].refuse("the point " + point_text(points[1]) + ", which repeats vertex 0", "a segment with a length");
   }
-  return {element.name, LinearLight{points[0], points[1]}, strength(element, "intensity_per_length")};
+  return {element.name, LinearLight{points[0], points[1]}, strength(element, "intensity_per_length"),
+          light_colour(element)};
 }
 
 SceneLight read_point_light(const SceneElement& element) {
-  element.node.allow_keys({"name", "shape", "position", "intensity"}, "a point light");
+  element.node.allow_keys({"name", "shape", "position", "intensity", "color"}, "a point light");
   const Point3 position = point3(element.node.required("position", "a point of 3 coordinates"));
-  return {element.name, PointLight{position}, strength(element, "intensity")};
+  return {element.name, PointLight{position}, strength(element, "intensity"), light_colour(element)};
 }
 
 SceneLight read_directional_light(const SceneElement& element) {
-  element.node.allow_keys({"name", "shape", "direction", "irradiance"}, "a direction light");
+  element.node.allow_keys({"name", "shape", "direction", "irradiance", "color"}, "a direction light");
   const JsonNode node = element.node.required("direction", "a vector of 3 coordinates");
   const Point3 direction = point3(node);
   if (direction == Point3{}) node.refuse("the zero vector", "a direction");
-  return {element.name, DirectionalLight{direction}, strength(element, "irradiance")};
+  return {element.name, DirectionalLight{direction}, strength(element, "irradiance"), light_colour(element)};
 }
 
 Polytope read_polytope(const SceneElement& element) {
@@ -74,7 +77,7 @@ Polytope read_polytope(const SceneElement& element) {
 }
 
 void allow_shape_keys(const SceneElement& element, std::initializer_list<std::string_view> keys, MeshUse use) {
-  std::vector<std::string_view> all = {"name", "shape"};
+  std::vector<std::string_view> all = {"name", "shape", "material"};
   all.insert(all.end(), keys);
   if (use == MeshUse::receiver) all.push_back("two_sided");
   element.node.allow_keys(all, "a " + element.shape + (use == MeshUse::receiver ? " receiver" : ""));
@@ -119,7 +122,8 @@ void read_spatial_lights(const std::vector<SceneElement>& elements, Scene& scene
 void read_spatial_blockers(const std::vector<SceneElement>& elements, const std::filesystem::path& folder,
                            Scene& scene) {
   for (const SceneElement& element : elements) {
-    scene.blockers.push_back({element.name, read_shape(element, MeshUse::blocker, folder, scene)});
+    scene.blockers.push_back(
+        {element.name, read_shape(element, MeshUse::blocker, folder, scene), material_name(element, scene)});
   }
 }
 
@@ -130,6 +134,7 @@ void read_spatial_receivers(const std::vector<SceneElement>& elements, const std
     const BlockerShape shape = read_shape(element, MeshUse::receiver, folder, scene);
     for (SceneReceiver& facet : receiver_facets(element.name, shape, sides)) {
       facet.form = element.shape;
+      facet.material = material_name(element, scene);
       scene.receivers.push_back(std::move(facet));
     }
   }

@@ -54,6 +54,10 @@ struct View {
   Point3 to_eye;
 };
 
+/// True if the eye is above the surface's plane: below it or in it nothing is seen.
+/// Exactness: exact. Throws: PreconditionError as LightReflection.
+bool eye_is_above(const View& view);
+
 /// Radiance [W/(m² sr)].
 /// Exactness: |value - exact| is at most `error_bound`, which includes every rounding.
 struct Radiance {

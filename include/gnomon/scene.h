@@ -24,6 +24,7 @@
 #include "gnomon/flatland.h"
 #include "gnomon/light.h"
 #include "gnomon/point.h"
+#include "gnomon/reflection.h"
 #include "gnomon/visibility.h"
 
 namespace gnomon {
@@ -34,6 +35,13 @@ struct SceneLight {
   std::string name;
   Light shape;
   double strength = 1;
+  Rgb color = {1, 1, 1};  ///< what the strength is multiplied by in reflected radiance
+};
+
+/// A material with its name, that blockers and receivers refer to.
+struct SceneMaterial {
+  std::string name;
+  Material material;
 };
 
 /// The convex hull of points: at least 4, not coplanar.
@@ -66,6 +74,7 @@ using BlockerShape = std::variant<ConvexPolygon, Polytope, ConcavePolygon, Mesh>
 struct SceneBlocker {
   std::string name;
   BlockerShape shape;
+  std::string material = {};  ///< the name of one of the scene's; empty if the file names none
 };
 
 /// A flat convex piece of a receiver of the file; it receives from its front. See receiver_facets.
@@ -75,6 +84,7 @@ struct SceneReceiver {
   std::string side = name;       ///< the receiver, or its side, that results are about: `vase`, `vase/back`
   std::string element = name;    ///< the receiver of the file: `vase`
   std::string form = "polygon";  ///< its shape there, in the file's word: polygon, polytope, concave_polygon, mesh
+  std::string material = {};     ///< as of a blocker
 
   /// True if the piece, its side or the receiver of the file is called so.
   bool is_called(const std::string& asked) const { return asked == name || asked == side || asked == element; }
@@ -108,6 +118,8 @@ struct Scene {
   std::vector<PlanarBlocker> planar_receivers;
   std::vector<std::string> doubts;  ///< accepted, but worth a word: one sentence each, as `gnomon check` prints them
   UpAxis up = UpAxis::z;            ///< in pictures of space
+  std::vector<SceneMaterial> materials = {};
+  Rgb ambient_radiance = {0, 0, 0};  ///< that comes from everywhere [W/(m² sr)]
 };
 
 /// The box by which unbounded volumes are cut unless the user gives one: the bounding box of everything in the scene,

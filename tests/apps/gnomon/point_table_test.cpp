@@ -25,7 +25,7 @@ std::vector<std::string> rows(const std::string& text, std::size_t dimension = 3
     if (const auto* malformed = std::get_if<MalformedRow>(&*row)) {
       line << malformed->line << " ! " << malformed->problem;
     } else {
-      const auto& [number, written, p, normal] = std::get<PointRow>(*row);
+      const auto& [number, written, p, normal, eye] = std::get<PointRow>(*row);
       line << number << " : " << p[0] << ' ' << p[1] << ' ' << p[2] << " [" << written << ']';
     }
     result.push_back(line.str());

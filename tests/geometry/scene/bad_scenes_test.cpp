@@ -55,7 +55,7 @@ const std::vector<BadScene> bad_scenes = {
     {"unknown_key_in_scene", {"/camera", "the unknown key \"camera\"", "\"receivers\""}},
     {"unknown_key_in_light",
      {"/lights/0/radiancee", "light \"lamp\"", "the unknown key \"radiancee\"", "\"radiance\""}},
-    {"unknown_key_in_blocker", {"/blockers/0/material", "blocker \"table\"", "the unknown key \"material\""}},
+    {"unknown_key_in_blocker", {"/blockers/0/paint", "blocker \"table\"", "the unknown key \"paint\""}},
     // Elements and their names
     {"element_is_number", {"/blockers/0", "the number 7", "an object"}},
     {"no_name", {"/blockers/0/name", "no such key", "a name"}},
