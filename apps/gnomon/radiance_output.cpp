@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "apps/gnomon/text.h"
-#include "geometry/printed_bound.h"
+#include "geometry/numbers/printed_bound.h"
 
 namespace gnomon {
 namespace {
