@@ -280,14 +280,26 @@ def show_hidden(result, light):
             simple.Hide(hidden, result.view)
 
 
+def show_blockers(result, divided):
+    """What is a divided receiver, too, is there to be switched on: the two lie in one place and would flicker."""
+    facets = {b["path"][-1]: b["kind"] == "receiver" for b in result.select("receiver") + result.select("receiver_mesh")}
+    covered = [b for b in result.select("blocker") if b["path"][-1] in divided
+               and facets.get(b["path"][-1]) == (b["field_data"]["shape"] == ["polygon"])]
+    result.show(result.part("blockers", [b for b in result.select("blocker") if b not in covered]), "blocker", edges=True)
+    hidden = result.part("blockers that are divided receivers", covered)
+    if hidden is not None:
+        result.show(hidden, "blocker", edges=True)
+        simple.Hide(hidden, result.view)
+
+
 def show_space(result):
     """Returns the names of the regions shown."""
     light = result.lights[0] if result.lights else None
     lamp = [b for b in result.select("light") if b["path"][-1] == light]
     suns = [b for b in lamp if b in result.suns()]
     result.show(result.part("light " + str(light), [b for b in lamp if b not in suns]), "light", edges=True)
-    result.show(result.part("blockers", result.select("blocker")), "blocker", edges=True)
     divided = {b["path"][2] for b in result.select("receiver_faces", light)}
+    show_blockers(result, divided)
     plain = [b for b in result.select("receiver") + result.select("receiver_mesh") if b["path"][-1] not in divided]
     result.show(result.part("receivers", plain), "receiver", edges=True)
     # Blocker faces lie on the blockers, a penumbra's supporting planes on the umbra.
