@@ -51,8 +51,9 @@ void add_options(CommandLine& app, RadianceOptions& options) {
       "for the direction to the eye as the difference of the two points rounded to doubles. Where the eye is not\n"
       "above the point's plane it is 0. A malformed line is reported with its number and left out; the exit code\n"
       "is 3 then.\n\n"
-      "Example:\n"
-      "  gnomon radiance examples/two_lamps.scene.json --at examples/views.csv\n");
+      "Examples:\n"
+      "  gnomon radiance examples/two_lamps.scene.json --at examples/views.csv\n"
+      "  gnomon radiance examples/two_lamps.scene.json --at examples/views.csv --json radiance.json\n");
 }
 
 /// The material that was asked for.

@@ -57,7 +57,7 @@ TEST_F(IrradianceCommand, TellsMeanLeastAndLargestWithBounds) {
   write("points.csv", "x,y,z,nx,ny,nz\n0,0,0,0,0,2\n0,0,0,0,0,-1\n");
   const Outcome run = gnomon("irradiance lamps.scene.json --at points.csv --out e.csv --json e.json");
   EXPECT_THAT(run.out, testing::AllOf(HasSubstr("2 points"), HasSubstr("mean"), HasSubstr("bulb"), HasSubstr("0.8 +- "),
-                                      HasSubstr("\nall ")));
+                                      HasSubstr("\n  all ")));
   const json summary = read_json("e.json")["summary"];
   const auto expect = [](const json& found, double value) {
     EXPECT_LE(std::fabs(found["irradiance"].get<double>() - value), found["error_bound"].get<double>() + 1e-300);

@@ -48,9 +48,10 @@ TEST_F(Program, NamesAnUnknownCommandAndTheNearestKnownOne) {
   const Outcome run = gnomon("shaddow --out there");
   EXPECT_EQ(run.code, 2);
   EXPECT_THAT(run.out, IsEmpty());
-  EXPECT_THAT(run.err,
-              AllOf(HasSubstr("'shaddow'"), HasSubstr("nearest is 'shadow'"),
-                    HasSubstr("shadow, check, regions, grid, irradiance, discontinuities, receivers, render")));
+  EXPECT_THAT(
+      run.err,
+      AllOf(HasSubstr("'shaddow'"), HasSubstr("nearest is 'shadow'"),
+            HasSubstr("shadow, check, regions, grid, irradiance, radiance, discontinuities, receivers, render")));
 }
 
 TEST_F(Program, RefusesAnOptionInPlaceOfACommand) {
@@ -161,7 +162,7 @@ TEST_F(Program, NamesTheNearestOfAnUnknownOption) {
   const Outcome run = gnomon("shadow --ouut folder");
   EXPECT_EQ(run.code, 2);
   EXPECT_THAT(run.err, testing::HasSubstr("unknown option '--ouut'; the nearest is '--out'"));
-  EXPECT_THAT(gnomon("regions --default-scene --on floor").err, testing::HasSubstr("unknown option '--on'\n"));
+  EXPECT_THAT(gnomon("regions some.scene.json --on floor").err, testing::HasSubstr("unknown option '--on'\n"));
   EXPECT_THAT(gnomon("check a.scene.json b.scene.json").err, testing::HasSubstr("unexpected argument 'b.scene.json'"));
 }
 
