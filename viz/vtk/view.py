@@ -248,6 +248,17 @@ def show_by_order(result, name, source, opacity):
     return events
 
 
+def show_fronts_and_backs(result, light, fronts, is_shown):
+    """Receivers by their regions from the front, with which they receive, and grey from behind."""
+    display = result.show(fronts, "edge")
+    result.color_by(display, "region", flat=True)
+    display.BackfaceRepresentation = "Cull Backface"
+    backs = result.part(f"backs of receivers of {light}", result.select("receiver_faces", light))
+    result.show(backs, "receiver").BackfaceRepresentation = "Cull Frontface"
+    if not is_shown:
+        simple.Hide(backs, result.view)
+
+
 def show_divisions(result):
     """Discontinuities by their order, divided receivers by their regions; those of other lights than the first are there
     to be switched on."""
@@ -260,7 +271,7 @@ def show_divisions(result):
             if source is None:
                 continue
             if kind == "receiver_faces":
-                result.color_by(result.show(source, "edge"), "region", flat=True)
+                show_fronts_and_backs(result, light, source, is_shown=i == 0)
             else:
                 source = show_by_order(result, name, source, opacity)
                 show_legend(result, order, "order", "Upper Right Corner")
@@ -300,8 +311,13 @@ def show_space(result):
     result.show(result.part("light " + str(light), [b for b in lamp if b not in suns]), "light", edges=True)
     divided = {b["path"][2] for b in result.select("receiver_faces", light)}
     show_blockers(result, divided)
-    plain = [b for b in result.select("receiver") + result.select("receiver_mesh") if b["path"][-1] not in divided]
+    receivers = result.select("receiver") + result.select("receiver_mesh")
+    plain = [b for b in receivers if b["path"][-1] not in divided]
     result.show(result.part("receivers", plain), "receiver", edges=True)
+    borders = result.show(result.part("borders of receivers", [b for b in receivers if b not in plain]), "edge")
+    if borders is not None:
+        borders.Representation = "Feature Edges"
+        borders.LineWidth = 1.5
     # Blocker faces lie on the blockers, a penumbra's supporting planes on the umbra.
     umbrae = show_volume(result, light, "umbra", 0.55, (0,))
     penumbrae = show_volume(result, light, "penumbra", 0.3, (0, 3))
@@ -379,6 +395,16 @@ def show_plane(result, box):
     return names
 
 
+def save_picture(path, view):
+    """ParaView tells a wrong reason where a folder is missing, and goes on."""
+    try:
+        os.makedirs(os.path.dirname(os.path.abspath(path)), exist_ok=True)
+        open(path, "ab").close()
+    except OSError as error:
+        end(f"the picture cannot be written: {error}")
+    simple.SaveScreenshot(path, view, ImageResolution=[1280, 960])
+
+
 def main(arguments):
     parser = argparse.ArgumentParser(prog="view.py", description="shows the result beside this file")
     parser.add_argument("--screenshot", metavar="FILE.png", help="write a picture and end")
@@ -403,7 +429,7 @@ def main(arguments):
         simple.GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
     simple.Render(view)
     if options.screenshot:
-        simple.SaveScreenshot(options.screenshot, view, ImageResolution=[1280, 960])
+        save_picture(options.screenshot, view)
 
 
 simple = paraview_simple()

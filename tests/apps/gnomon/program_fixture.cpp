@@ -41,6 +41,17 @@ void expect_schema(const std::string& text) {
   EXPECT_EQ(violation, "") << file;
 }
 
+/// A scene that the program takes follows the schema of scenes.
+void expect_scene_schema(const std::string& arguments, const fs::path& folder) {
+  std::istringstream words(arguments);
+  for (std::string word; words >> word;) {
+    if (!word.ends_with(".scene.json") || !fs::is_regular_file(folder / word)) continue;
+    const nlohmann::json scene = nlohmann::json::parse(contents(folder / word));
+    EXPECT_EQ(schema_violation(scene, nlohmann::json::parse(contents(GNOMON_SCHEMAS "/scene.schema.json"))), "")
+        << word;
+  }
+}
+
 }  // namespace
 
 Program::Program(Display display) : display_(display), folder_(fresh_folder()) {
@@ -54,7 +65,9 @@ Program::~Program() {
 }
 
 Outcome Program::gnomon(const std::string& arguments) const {
-  return shell("\"$GNOMON\" " + arguments);
+  const Outcome outcome = shell("\"$GNOMON\" " + arguments);
+  if (outcome.code == 0) expect_scene_schema(arguments, folder_ / "run");
+  return outcome;
 }
 
 Outcome Program::shell(const std::string& command) const {
