@@ -53,7 +53,7 @@ void add_options(CommandLine& app, RadianceOptions& options) {
       "is 3 then.\n\n"
       "Examples:\n"
       "  gnomon radiance examples/two_lamps.scene.json --at examples/views.csv\n"
-      "  gnomon radiance examples/two_lamps.scene.json --at examples/views.csv --json radiance.json\n");
+      "  gnomon radiance examples/two_lamps.scene.json --at examples/views.csv --json -\n");
 }
 
 /// The material that was asked for.
