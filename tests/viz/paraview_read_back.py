@@ -103,9 +103,18 @@ def expect_colors(seen, kinds, palette):
                 failures.append(f"the picture of view.py shows no {region} on receivers in the colour of the palette")
 
 
+def expect_backs_apart():
+    """What a receiver receives is shown on its front only, and there is something else behind."""
+    culled = {"receiver faces of ": "Cull Backface", "backs of receivers of ": "Cull Frontface"}
+    for start, expected in culled.items():
+        shown = [source for (name, _), source in simple.GetSources().items() if name.startswith(start)]
+        if not shown or any(simple.GetDisplayProperties(s).BackfaceRepresentation != expected for s in shown):
+            failures.append(f"view.py does not keep fronts and backs of receivers apart: {start}")
+
+
 def check_view(folder, kinds, palette):
     with tempfile.TemporaryDirectory() as place:
-        picture = os.path.join(place, "picture.png")
+        picture = os.path.join(place, "folder that is not there", "picture.png")
         script = os.path.join(folder, "view.py")
         sys.argv = [script, "--screenshot", picture]
         runpy.run_path(script, run_name="__main__")
@@ -116,6 +125,8 @@ def check_view(folder, kinds, palette):
         if len(seen) < 20:
             failures.append(f"the picture of view.py is blank or nearly so: {len(seen)} colours")
         expect_colors(seen, kinds, palette)
+    if "receiver_faces" in kinds:
+        expect_backs_apart()
 
 
 folder = sys.argv[1]

@@ -46,8 +46,9 @@ Point3 place_before(const Point3& point, const Point3& viewer, double scene_size
 }
 
 std::vector<Point3> places_on(vtkPolyData& element, const Point3& viewer, double scene_size) {
+  const bool is_point = element.GetNumberOfPolys() == 0 && element.GetNumberOfLines() == 0;
+  if (is_point) return {place_before(points_of(element).front(), viewer, scene_size)};
   const std::vector<Polygon> cells = polygons_of(element);
-  if (cells.empty()) return {place_before(points_of(element).front(), viewer, scene_size)};
   if (cells.size() == 1 && cells.front().size() > 2) return places_on(cells.front());
   if (element.GetNumberOfPolys() > 0) return places_on(cells, viewer);
   std::vector<Point3> places;

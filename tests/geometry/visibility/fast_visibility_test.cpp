@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "geometry/numbers/kernel.h"
+#include "gnomon/visibility.h"
 #include "tests/geometry/visibility/splitting_oracle.h"
 #include "tests/support/dice.h"
 
@@ -169,6 +170,27 @@ void check_agreement_behind(const DrawBlockers& draw_some, int high, Where where
 
 void check_agreement(int count, int high, Where where) {
   check_agreement_behind([&](Dice& dice, int reach) { return draw_blockers(dice, count, reach); }, high, where);
+}
+
+/// A plate with the light straight above it: its lower side is turned away, its upper one lies under the point that is
+/// asked for, so the lower one alone hides the light.
+TEST(FastVisibilityDegenerate, AClosedSurfaceHidesTheLightAlsoWithoutTheFacetUnderThePoint) {
+  const AreaLight light{ConvexPolygon::from_points({{-1, -1, 8}, {-1, 1, 8}, {1, 1, 8}, {1, -1, 8}})};
+  const std::array<Point3, 4> lower{{{-2, -2, 1}, {2, -2, 1}, {2, 2, 1}, {-2, 2, 1}}};
+  std::array<Point3, 4> upper = lower;
+  for (Point3& p : upper) p.z = 2;
+  std::vector<ConvexBlocker> plate = {ConvexPolygon::from_points({upper.begin(), upper.end()}),
+                                      ConvexPolygon::from_points({lower.rbegin(), lower.rend()})};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t next = (i + 1) % 4;
+    plate.push_back(ConvexPolygon::from_points({lower[i], lower[next], upper[next], upper[i]}));
+  }
+  FastVisibility fast(light, BlockerSet(plate));
+  const ReceiverPoint below{{0, 0, 0}, FacingNormal{{0, 0, 1}}, {0}};
+  const std::optional<LightSeen> seen = fast.seen_by(below);
+  ASSERT_TRUE(seen);
+  EXPECT_EQ(seen->region, Region::umbra);
+  EXPECT_EQ(exact_received(light, {plate, {}}, below).region, Region::umbra);
 }
 
 /// All its facets have the light behind them, and it winds around the light.

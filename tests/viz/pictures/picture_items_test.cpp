@@ -186,6 +186,22 @@ TEST(PictureLabels, NameLightsBlockersAndReceiversWhileTheyAreFew) {
   for (const PictureLabel& label : picture_labels(scene, {9, 9, 9})) EXPECT_NE(label.text, "table");
 }
 
+TEST(PictureLabels, OfAPointStandsBeforeTheBallThatIsDrawnForIt) {
+  const SampleResult sample;
+  PictureScene scene = picture_scene(sample_source(sample));
+  const Point3 bulb{0, 0, 4}, viewer{0, 0, 20};
+  vtkNew<vtkCellArray> point;
+  insert_cell(*point, std::vector<int>{0});
+  scene.lights.front().data = vtkSmartPointer<vtkPolyData>::New();
+  scene.lights.front().data->SetPoints(vtk_points(std::vector<Point3>{bulb}));
+  scene.lights.front().data->SetVerts(point);
+  const PictureLabel label = picture_labels(scene, viewer).front();
+  ASSERT_EQ(label.text, "lamp");
+  ASSERT_EQ(label.places.size(), 1U);
+  EXPECT_GT(label.places.front().z, bulb.z + ball_radius * scene.size);
+  EXPECT_LT(label.places.front().z, bulb.z + 2 * ball_radius * scene.size);
+}
+
 TEST(PictureLabels, StandOnTheirOwnElements) {
   const SampleResult sample;
   for (const PictureLabel& label : picture_labels(picture_scene(sample_source(sample)), {9, 9, 9})) {
