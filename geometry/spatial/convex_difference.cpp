@@ -36,9 +36,8 @@ class WalkedEdge {
   /// Of an edge of something taken: past something else that is. Along an edge that both have, one of them counts.
   void pass_other(const ConvexLoop& other, bool other_counts) {
     const Meeting meeting = met_by(other);
-    const bool is_beside = !meeting.is_right || !meeting.is_left;
     if (meeting.points.size() == 2 && (meeting.is_right || other_counts)) cover(meeting.points[0], meeting.points[1]);
-    if (meeting.points.size() == 1 && is_beside && meeting.is_right) touch(meeting.points[0]);
+    if (meeting.points.size() == 1 && meeting.is_right && !meeting.is_left) touch(meeting.points[0]);
   }
 
   /// One polygon covers all of it.
