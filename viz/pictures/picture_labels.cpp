@@ -40,14 +40,17 @@ std::vector<Point3> places_on(const std::vector<Polygon>& cells, const Point3& v
   return places;
 }
 
-/// A point is drawn as a ball: the place before it that the viewer sees.
-Point3 place_before(const Point3& point, const Point3& viewer, double scene_size) {
-  return point + 1.1 * ball_radius * scene_size * unit(viewer - point);
+/// A point is drawn as a ball: the place over it in the picture, in front of all of it.
+Point3 place_over(const Point3& point, const Point3& viewer, const PictureScene& scene) {
+  const Point3 toward = unit(viewer - point);
+  Point3 above = scene.up - dot(scene.up, toward) * toward;
+  if (dot(above, above) < 1e-6) above = cross(toward, std::abs(toward.x) < 0.5 ? Point3{1, 0, 0} : Point3{0, 1, 0});
+  return point + ball_radius * scene.size * (1.1 * toward + 2.6 * unit(above));
 }
 
-std::vector<Point3> places_on(vtkPolyData& element, const Point3& viewer, double scene_size) {
+std::vector<Point3> places_on(vtkPolyData& element, const Point3& viewer, const PictureScene& scene) {
   const bool is_point = element.GetNumberOfPolys() == 0 && element.GetNumberOfLines() == 0;
-  if (is_point) return {place_before(points_of(element).front(), viewer, scene_size)};
+  if (is_point) return {place_over(points_of(element).front(), viewer, scene)};
   const std::vector<Polygon> cells = polygons_of(element);
   if (cells.size() == 1 && cells.front().size() > 2) return places_on(cells.front());
   if (element.GetNumberOfPolys() > 0) return places_on(cells, viewer);
@@ -77,14 +80,14 @@ std::vector<PictureLabel> picture_labels(const PictureScene& scene, const Point3
   std::vector<PictureLabel> labels;
   for (const PictureBlock& light : scene.lights) {
     const std::string& name = light.path.back();
-    labels.push_back({name, places_on(*light.data, viewer, scene.size), "light", light_mark(scene, name)});
+    labels.push_back({name, places_on(*light.data, viewer, scene), "light", light_mark(scene, name)});
   }
   for (const PictureSun& sun : scene.suns) {
     labels.push_back({sun.name, {}, "light", light_mark(scene, sun.name), {}, true});
   }
   if (scene.blockers.size() <= most_names) {
     for (const PictureBlock& blocker : scene.blockers) {
-      labels.push_back({blocker.path.back(), places_on(*blocker.data, viewer, scene.size), "blocker"});
+      labels.push_back({blocker.path.back(), places_on(*blocker.data, viewer, scene), "blocker"});
     }
   }
   if (scene.receivers.size() > most_names) return labels;

@@ -186,10 +186,10 @@ TEST(PictureLabels, NameLightsBlockersAndReceiversWhileTheyAreFew) {
   for (const PictureLabel& label : picture_labels(scene, {9, 9, 9})) EXPECT_NE(label.text, "table");
 }
 
-TEST(PictureLabels, OfAPointStandsBeforeTheBallThatIsDrawnForIt) {
+TEST(PictureLabels, OfAPointStandsOverTheBallThatIsDrawnForItAndInFrontOfIt) {
   const SampleResult sample;
   PictureScene scene = picture_scene(sample_source(sample));
-  const Point3 bulb{0, 0, 4}, viewer{0, 0, 20};
+  const Point3 bulb{0, 0, 4}, viewer{20, 0, 4};
   vtkNew<vtkCellArray> point;
   insert_cell(*point, std::vector<int>{0});
   scene.lights.front().data = vtkSmartPointer<vtkPolyData>::New();
@@ -198,8 +198,12 @@ TEST(PictureLabels, OfAPointStandsBeforeTheBallThatIsDrawnForIt) {
   const PictureLabel label = picture_labels(scene, viewer).front();
   ASSERT_EQ(label.text, "lamp");
   ASSERT_EQ(label.places.size(), 1U);
-  EXPECT_GT(label.places.front().z, bulb.z + ball_radius * scene.size);
-  EXPECT_LT(label.places.front().z, bulb.z + 2 * ball_radius * scene.size);
+  const Point3 way = label.places.front() - bulb;
+  const double radius = ball_radius * scene.size;
+  EXPECT_GT(way.x, radius);
+  EXPECT_LT(way.x, 2 * radius);
+  EXPECT_GT(way.z, 2 * radius);
+  EXPECT_LT(way.z, 4 * radius);
 }
 
 TEST(PictureLabels, StandOnTheirOwnElements) {
