@@ -67,18 +67,27 @@ MeshJson event_json(const DiscontinuityResult& result, const ReceiverResult& rec
                    {"vertex", element(event.vertex)},
                    {"edge", element(event.edge)},
                    {"order", event.order}};
+  if (event.kind == EventKind::triple_edge) {
+    json = {{"kind", name(event.kind)},
+            {"edges", {element(event.vertex), element(event.edge), element(event.third)}},
+            {"order", event.order}};
+  }
   if (event.extremal != Extremal::none) json["extremal"] = name(event.extremal);
   return json;
 }
 
 MeshJson edges_json(const ReceiverMesh& mesh) {
   const auto face = [](std::uint32_t index) { return index == MeshEdge::nowhere ? MeshJson() : MeshJson(index); };
+  const std::vector<MeshArc> arcs = mesh.arcs();
   MeshJson list = MeshJson::array();
   for (const MeshEdge& edge : mesh.edges()) {
     list.push_back({{"vertices", {edge.source, edge.target}},
                     {"left", face(edge.left)},
                     {"right", face(edge.right)},
                     {"events", edge.names}});
+    if (edge.arc == MeshEdge::nowhere) continue;
+    const Point3& middle = arcs[edge.arc].points[1];
+    list.back()["arc"] = {{"control_point", {middle.x, middle.y, middle.z}}, {"weight", arcs[edge.arc].weight}};
   }
   return list;
 }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/discontinuity/arc_faces.h"
 #include "geometry/discontinuity/quick_sight.h"
 #include "geometry/discontinuity/receiver_sight.h"
 #include "geometry/discontinuity/shaft.h"
@@ -26,6 +27,12 @@ std::vector<ExactVector> vertices_of(const ReceiverMesh::Data& data, const MeshF
   }
   return vertices;
 }
+
+/// What a face was found to be: of one region, or divided.
+struct AskedFace {
+  ReceiverRegion region = ReceiverRegion::lit;
+  std::optional<FaceDivision> division;
+};
 
 /// Asks about faces, one at a time.
 class FaceAsker {
@@ -53,16 +60,37 @@ class FaceAsker {
     return answer;
   }
 
-  /// The region of a face, exactly.
-  ReceiverRegion asked_region(std::uint32_t f) {
+  /// The region of a face, exactly, or its cells where arcs divide it.
+  AskedFace asked_face(std::uint32_t f) {
     const ExactVector inside = data_.plane.spatial(data_.arrangement.inner_point(f));
-    const FaceRegion found = sight_.region_of_face({inside, vertices_of(data_, data_.faces[f]),
-                                                    [&] { return face_pieces(data_, data_.faces[f]); },
-                                                    [&](ShapeId s) { return hides_light_from(f, s); }});
-    return found.is_certain ? static_cast<ReceiverRegion>(found.region) : ReceiverRegion::unresolved_eee;
+    const std::vector<ExactVector> vertices = vertices_of(data_, data_.faces[f]);
+    const FaceRegion found =
+        sight_.region_of_face({inside, vertices, [&](ShapeId s) { return hides_light_from(f, s); }});
+    if (found.is_certain) return {static_cast<ReceiverRegion>(found.region), std::nullopt};
+    const ClosingArcs arcs =
+        closing_arcs(lit_.scene, sight_.blockers_near(vertices), face_pieces(data_, data_.faces[f]), data_.plane);
+    if (arcs.arcs.empty()) return {static_cast<ReceiverRegion>(found.region), std::nullopt};
+    return divided_face(f, arcs);
   }
 
  private:
+  AskedFace divided_face(std::uint32_t f, const ClosingArcs& arcs) {
+    FaceSides sides = sides_of(data_, data_.faces[f]);
+    const conic::CurveMap map(sides.sides, arcs.arcs);
+    if (!map.is_complete()) return {ReceiverRegion::unresolved_eee, std::nullopt};
+    FaceCells cells = face_cells(map, sides.sides, [&](const FlatPoint& p) {
+      return static_cast<ReceiverRegion>(sight_.region_of(data_.plane.spatial(p)));
+    });
+    const ReceiverRegion first = cells.cells.front().region;
+    if (!cells.is_divided()) return {first, std::nullopt};
+    const std::uint8_t order = lit_.scene.kind == LightKind::linear ? 1 : 2;
+    FaceDivision division{f, std::move(cells), std::move(sides.vertices), {}};
+    for (const auto& [a, b, c] : arcs.names) {
+      division.names.push_back({EventKind::triple_edge, a, b, order, Extremal::umbra, c});
+    }
+    return {first, std::move(division)};
+  }
+
   /// A narrow box around the point by which a face is judged.
   FlatEnclosure inner_point(std::uint32_t f) const {
     const FlatEnclosure near = data_.arrangement.near_inner_point(f);
@@ -149,9 +177,14 @@ class FaceLabels {
     for (std::uint32_t f = 0; f < data_.faces.size(); ++f) {
       if (!is_labelled_[f]) left.push_back(f);
     }
-    std::vector<ReceiverRegion> regions(left.size());
-    ask(left.size(), [&](FaceAsker& asker, std::size_t i) { regions[i] = asker.asked_region(left[i]); });
-    for (std::size_t i = 0; i < left.size(); ++i) set(left[i], regions[i]);
+    std::vector<AskedFace> asked(left.size());
+    ask(left.size(), [&](FaceAsker& asker, std::size_t i) { asked[i] = asker.asked_face(left[i]); });
+    std::vector<FaceDivision> divisions;
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      set(left[i], asked[i].region);
+      if (asked[i].division) divisions.push_back(std::move(*asked[i].division));
+    }
+    divide_faces(divisions, data_);
   }
 
   void set(std::uint32_t f, ReceiverRegion region) {

@@ -10,8 +10,6 @@
 namespace gnomon::event {
 namespace {
 
-using Integer = boost::multiprecision::mpz_int;
-
 /// CGAL 5.5 loses the sign of a negative integer on the way, and does not know zero.
 ExactReal exact_real(const Integer& integer) {
   if (integer == 0) return ExactReal(0);

@@ -32,7 +32,7 @@ std::vector<Outline> outlines(const EventScene& scene, std::span<const ShapeId> 
   const std::size_t n = scene.light_edges.size();
   for (std::size_t k = 0; k < n; ++k) {
     const LightEdge& e = scene.light_edges[k];
-    Outline line{place(e.a), place(e.b), {e.a, e.b}, true, {}, {}};
+    Outline line{place(e.a), place(e.b), e.name, {e.a, e.b}, true, {}, {}};
     if (n > 2) {
       // What lies beyond the edge counts as hidden: the mirror image of what lies inside.
       const ExactVector inside = place(scene.light_edges[(k + 1) % n].b).exact;
@@ -40,7 +40,9 @@ std::vector<Outline> outlines(const EventScene& scene, std::span<const ShapeId> 
     }
     found.push_back(std::move(line));
   }
-  for (const LightEdge& e : scene.cut_edges) found.push_back({place(e.a), place(e.b), {e.a, e.b}, false, {}, {}});
+  for (const LightEdge& e : scene.cut_edges) {
+    found.push_back({place(e.a), place(e.b), e.name, {e.a, e.b}, false, {}, {}});
+  }
   std::vector<EdgeId> ids;
   for (const ShapeId s : shapes) {
     for (const ShapeEdge& e : scene.shapes[s].edges) {
@@ -51,7 +53,7 @@ std::vector<Outline> outlines(const EventScene& scene, std::span<const ShapeId> 
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   for (const EdgeId id : ids) {
     const BlockerEdge& edge = scene.edges[id];
-    Outline line{place(edge.a), place(edge.b), {edge.a, edge.b}, false, {}, {}};
+    Outline line{place(edge.a), place(edge.b), edge.name, {edge.a, edge.b}, false, {}, {}};
     for (const FaceAtEdge& f : edge.faces) {
       line.shapes.push_back(f.shape);
       line.hidden.push_back(place(f.third));

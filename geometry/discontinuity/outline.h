@@ -28,6 +28,7 @@ struct Place {
 struct Outline {
   Place a;
   Place b;
+  EventElement name;
   std::array<PointId, 2> ends{};  ///< a and b in the scene
   bool is_of_light = false;       ///< an edge of the light's own outline
   std::vector<ShapeId> shapes;    ///< whose edge it is

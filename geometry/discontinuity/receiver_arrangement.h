@@ -9,18 +9,11 @@
 #include <span>
 #include <vector>
 
+#include "geometry/numbers/flat_point.h"
 #include "geometry/numbers/kernel.h"
 #include "gnomon/point.h"
 
 namespace gnomon::event {
-
-/// A point of a receiver's plane in two of its coordinates.
-struct FlatPoint {
-  Rational x;
-  Rational y;
-
-  friend bool operator==(const FlatPoint&, const FlatPoint&) = default;
-};
 
 /// The same, somewhere in a box.
 struct FlatEnclosure {

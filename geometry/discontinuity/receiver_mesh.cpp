@@ -152,7 +152,7 @@ std::shared_ptr<ReceiverMesh::Data> subdivision(const EventScene& scene, std::ui
     segments = dividing_segments(scene, receiver, plane, light, traces, names, threads);
   }
   auto data = std::make_shared<ReceiverMesh::Data>(
-      ReceiverMesh::Data{plane, ReceiverArrangement(segments), {}, {}, names.take()});
+      ReceiverMesh::Data{plane, ReceiverArrangement(segments), {}, {}, names.take(), {}, {}});
   for (const ReceiverArrangement::Edge& e : data->arrangement.edges()) {
     data->edges.push_back({e.source, e.target, e.left, e.right, e.names});
   }
@@ -163,23 +163,6 @@ std::shared_ptr<ReceiverMesh::Data> subdivision(const EventScene& scene, std::ui
 }
 
 }  // namespace
-
-Rational doubled_flat_area(const ReceiverMesh::Data& data, std::span<const std::vector<MeshEdgeUse>> cycles) {
-  Rational area = 0;
-  for (const auto& cycle : cycles) {
-    for (const MeshEdgeUse use : cycle) {
-      const MeshEdge& edge = data.edges[use / 2];
-      const FlatPoint p = data.point(edge.source), q = data.point(edge.target);
-      const Rational part = p.x * q.y - p.y * q.x;
-      if (use % 2 == 0) {
-        area += part;
-      } else {
-        area -= part;
-      }
-    }
-  }
-  return area;
-}
 
 struct ReceiverDivision::Data {
   Light light;
@@ -262,6 +245,8 @@ std::vector<double> ReceiverDivision::visible_fractions(std::uint32_t receiver, 
   std::vector<event::ReceiverSight> sights(std::max(1U, threads), sight);
   std::vector<double> fractions(mesh.vertex_count());
   for_all(fractions.size(), threads, [&](std::size_t v, std::size_t worker) {
+    // An arc ends on the boundary of an umbra, which belongs to it.
+    if (v >= mesh.data().arrangement.vertex_count()) return;
     const ExactVector p = plane.spatial(mesh.data().point(static_cast<std::uint32_t>(v)));
     fractions[v] = sights[worker].visible_fraction_from(p).nearest;
   });

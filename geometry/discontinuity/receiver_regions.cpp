@@ -68,16 +68,6 @@ std::vector<std::uint32_t> sets_of_equal_region(const ReceiverMesh::Data& data) 
   return result;
 }
 
-void put_outer_cycle_first(const ReceiverMesh::Data& data, std::vector<std::vector<MeshEdgeUse>>& cycles) {
-  // Of the boundary cycles of a connected region only the outer one runs counterclockwise.
-  for (auto& cycle : cycles) {
-    if (doubled_flat_area(data, std::span(&cycle, 1)) > 0) {
-      std::swap(cycle, cycles.front());
-      return;
-    }
-  }
-}
-
 RegionArea stretched(const Rational& doubled, const Rational& squared_stretch) {
   // An axis-parallel plane is not stretched; others by a square root.
   if (squared_stretch == 1) {
@@ -109,29 +99,48 @@ std::vector<RegionPolygon> ReceiverMesh::regions() const {
         }
       }
     }
-    if (region.cycles.size() > 1) put_outer_cycle_first(*data_, region.cycles);
+    put_outer_cycle_first(*data_, region.cycles);
   }
   return result;
 }
 
 namespace {
 
-std::array<Rational, receiver_region_count> doubled_areas(const ReceiverMesh& mesh) {
-  std::array<Rational, receiver_region_count> areas{};
-  for (const RegionPolygon& region : mesh.regions()) {
-    areas[static_cast<std::size_t>(region.region)] += doubled_flat_area(mesh.data(), region.cycles);
+using RegionAreas = std::array<FlatArea, receiver_region_count>;
+
+RegionAreas doubled_areas(const ReceiverMesh& mesh, std::span<const RegionPolygon> regions, unsigned bits) {
+  RegionAreas areas{};
+  for (const RegionPolygon& region : regions) {
+    FlatArea& sum = areas[static_cast<std::size_t>(region.region)];
+    const FlatArea area = doubled_flat_area(mesh.data(), region.cycles, bits);
+    sum.exact += area.exact;
+    sum.rest = sum.rest + area.rest;
+    sum.is_exact = sum.is_exact && area.is_exact;
   }
   return areas;
 }
 
-/// From the border alone.
+/// From the border alone, before arcs divided it.
 Rational doubled_receiver_area(const ReceiverMesh& mesh) {
-  std::vector<MeshEdgeUse> border;
-  for (std::uint32_t e = 0; e < mesh.edges().size(); ++e) {
-    if (mesh.edges()[e].right == MeshEdge::nowhere) border.push_back(2 * e);
-    if (mesh.edges()[e].left == MeshEdge::nowhere) border.push_back(2 * e + 1);
+  const event::ReceiverArrangement& arrangement = mesh.data().arrangement;
+  Rational area = 0;
+  for (const event::ReceiverArrangement::Edge& edge : arrangement.edges()) {
+    if (edge.right != event::outside && edge.left != event::outside) continue;
+    const event::FlatPoint p = arrangement.point(edge.source), q = arrangement.point(edge.target);
+    const Rational part = p.x * q.y - p.y * q.x;
+    area += edge.right == event::outside ? part : Rational(-part);
   }
-  return doubled_flat_area(mesh.data(), std::span(&border, 1));
+  return area;
+}
+
+/// Off by at most an ulp: both ends of the interval round alike, or to neighbours once it is narrow.
+std::optional<RegionArea> stretched_if_known(const RationalInterval& doubled, const Rational& squared_stretch,
+                                             bool is_last) {
+  const Rational zero = 0;
+  const RegionArea low = stretched(std::max(doubled.low, zero), squared_stretch),
+                   high = stretched(std::max(doubled.high, zero), squared_stretch);
+  if (low.nearest != high.nearest && !is_last) return std::nullopt;
+  return RegionArea{high.nearest, std::nullopt};
 }
 
 }  // namespace
@@ -139,8 +148,20 @@ Rational doubled_receiver_area(const ReceiverMesh& mesh) {
 std::array<RegionArea, receiver_region_count> ReceiverMesh::areas() const {
   const Rational stretch = data_->plane.squared_stretch();
   std::array<RegionArea, receiver_region_count> result;
-  const auto doubled = doubled_areas(*this);
-  for (std::size_t k = 0; k < result.size(); ++k) result[k] = stretched(doubled[k], stretch);
+  const std::vector<RegionPolygon> polygons = regions();
+  constexpr unsigned first_bits = 80, last_bits = 640;
+  std::array<bool, receiver_region_count> is_known{};
+  for (unsigned bits = first_bits; bits <= last_bits; bits *= 2) {
+    const RegionAreas doubled = doubled_areas(*this, polygons, bits);
+    for (std::size_t k = 0; k < result.size(); ++k) {
+      if (is_known[k]) continue;
+      const auto area = doubled[k].is_exact ? stretched(doubled[k].exact, stretch)
+                                            : stretched_if_known(doubled[k].sum(), stretch, bits == last_bits);
+      if (area) result[k] = *area;
+      is_known[k] = area.has_value();
+    }
+    if (std::all_of(is_known.begin(), is_known.end(), [](bool known) { return known; })) break;
+  }
   return result;
 }
 
@@ -149,9 +170,14 @@ RegionArea ReceiverMesh::area() const {
 }
 
 bool ReceiverMesh::areas_add_up() const {
-  Rational sum = 0;
-  for (const Rational& area : doubled_areas(*this)) sum += area;
-  return sum == doubled_receiver_area(*this);
+  FlatArea sum;
+  for (const FlatArea& area : doubled_areas(*this, regions(), 80)) {
+    sum.exact += area.exact;
+    sum.rest = sum.rest + area.rest;
+    sum.is_exact = sum.is_exact && area.is_exact;
+  }
+  const Rational whole = doubled_receiver_area(*this);
+  return sum.is_exact ? sum.exact == whole : sum.sum().low <= whole && whole <= sum.sum().high;
 }
 
 std::vector<Point3> ReceiverMesh::vertices() const {
@@ -164,7 +190,7 @@ std::vector<Point3> ReceiverMesh::vertices() const {
 }
 
 std::size_t ReceiverMesh::vertex_count() const {
-  return data_->arrangement.vertex_count();
+  return data_->vertex_count();
 }
 
 const std::vector<MeshEdge>& ReceiverMesh::edges() const {

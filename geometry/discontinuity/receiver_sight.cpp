@@ -40,22 +40,6 @@ std::vector<ExactVector> middles(const VisiblePart& part, const Light& light) {
   return found;
 }
 
-/// Both halves of a triangle, cut at its longest side.
-std::array<FacePiece, 2> halves(const FacePiece& piece) {
-  const auto length = [&](std::size_t k) -> Rational {
-    const ExactVector way = piece.corners[(k + 1) % 3] - piece.corners[k];
-    return dot(way, way);
-  };
-  std::size_t k = length(1) > length(0) ? 1 : 0;
-  if (length(2) > length(k)) k = 2;
-  const ExactVector &p = piece.corners[k], &q = piece.corners[(k + 1) % 3], &r = piece.corners[(k + 2) % 3];
-  const ExactVector middle = Rational(1, 2) * (p + q);
-  return {FacePiece{{p, middle, r}, {}}, FacePiece{{middle, q, r}, {}}};
-}
-
-/// The most points from which the triangles of a face are tried.
-constexpr std::size_t most_trials = 24;
-
 Place nearby(const ExactVector& p) {
   const CGAL::Protect_FPU_rounding<true> upward;
   return Place(p);
@@ -225,22 +209,6 @@ bool ReceiverSight::shows_one_point(const VisiblePart& part, std::span<const Exa
   });
 }
 
-/// From each of some triangles that the face is cut into one point of the light is seen.
-bool ReceiverSight::shows_light_to_all(std::vector<FacePiece> pieces) {
-  for (std::size_t trials = 0; !pieces.empty(); ++trials) {
-    if (trials == most_trials) return false;
-    const FacePiece piece = pieces.back();
-    pieces.pop_back();
-    const ExactVector inside = mean(piece.corners);
-    const VisiblePart part = quickly_visible_from(inside);
-    if (part.region != Region::penumbra) return false;
-    collect_in_shaft(piece.corners);
-    if (shows_one_point(part, piece.corners)) continue;
-    for (FacePiece& half : halves(piece)) pieces.push_back(std::move(half));
-  }
-  return true;
-}
-
 /// The same as visible_from, but for how the part is cut up.
 VisiblePart ReceiverSight::quickly_visible_from(const ExactVector& p) {
   collect_near(p);
@@ -253,9 +221,7 @@ bool ReceiverSight::is_same_throughout(const VisiblePart& part, const FaceOfRece
   if (part.region == Region::umbra && is_hidden_by_one(face)) return true;
   if (part.region == Region::penumbra && shows_vertex(part, face.inside)) return true;
   collect_in_shaft(face.vertices);
-  if (part.region == Region::penumbra && shows_one_point(part, face.vertices)) return true;
-  const std::vector<FacePiece> pieces = face.pieces();
-  return !region_may_change(scene_, near_, pieces) || (part.region == Region::penumbra && shows_light_to_all(pieces));
+  return part.region == Region::penumbra && shows_one_point(part, face.vertices);
 }
 
 FaceRegion ReceiverSight::region_of_face(const FaceOfReceiver& face) {

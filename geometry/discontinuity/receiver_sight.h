@@ -7,10 +7,10 @@
 #include <span>
 #include <vector>
 
+#include "geometry/discontinuity/closing_arcs.h"
 #include "geometry/discontinuity/event_scene.h"
 #include "geometry/discontinuity/light_before.h"
 #include "geometry/discontinuity/receiver_plane.h"
-#include "geometry/discontinuity/region_change.h"
 #include "geometry/discontinuity/visible_cones.h"
 #include "geometry/visibility/hidden_set.h"
 #include "geometry/visibility/visible_fraction.h"
@@ -28,7 +28,6 @@ struct FaceRegion {
 struct FaceOfReceiver {
   ExactVector inside;  ///< a point inside
   std::vector<ExactVector> vertices;
-  std::function<std::vector<FacePiece>()> pieces;  ///< cuts it up
   /// Whether a shape hides all of the light from all of the face; nothing where it is not known.
   std::function<std::optional<bool>(ShapeId)> is_hidden_by;
 };
@@ -57,9 +56,18 @@ class ReceiverSight {
   ///
   /// Definition: it is certain if the same is seen from each of its points up to triple-edge events, and one of these
   ///             holds: region lit or unlit; a vertex of the light or a blocker is seen; one blocker hides all of the
-  ///             light from all of the face; region_may_change denies it; some point of the light is seen from all of
-  ///             the face, or one from all of each of a few triangles of it.
+  ///             light from all of the face; some point of the light is seen from all of the face. Of others closing
+  ///             arcs tell.
   FaceRegion region_of_face(const FaceOfReceiver& face);
+
+  /// The region of a point that lies on no arc.
+  Region region_of(const ExactVector& p) { return quickly_visible_from(p).region; }
+
+  /// The blockers that may hide something from a face.
+  std::span<const ShapeId> blockers_near(std::span<const ExactVector> face) {
+    collect_in_shaft(face);
+    return near_;
+  }
 
  private:
   void collect_near(const ExactVector& p);
@@ -74,7 +82,6 @@ class ReceiverSight {
   bool is_same_throughout(const VisiblePart& part, const FaceOfReceiver& face);
   bool leaves_open(ShapeId shape, const ExactVector& light_point, std::span<const ExactVector> face) const;
   bool shows_one_point(const VisiblePart& part, std::span<const ExactVector> face) const;
-  bool shows_light_to_all(std::vector<FacePiece> pieces);
 
   const EventScene& scene_;
   const Light& light_;

@@ -5,8 +5,6 @@
 namespace gnomon::event {
 namespace {
 
-using Integer = boost::multiprecision::mpz_int;
-
 /// Sign of the determinant of three vectors.
 int determinant_sign(const std::array<Integer, 3>& u, const std::array<Integer, 3>& v,
                      const std::array<Integer, 3>& w) {

@@ -17,6 +17,7 @@ using InputKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 /// Exact arithmetic for constructed points and measures.
 /// Operations return expression templates: name the type of a result, never `auto`.
 using Rational = boost::multiprecision::mpq_rational;
+using Integer = boost::multiprecision::mpz_int;
 
 /// Exact sums and products of doubles.
 using ExactReal = CGAL::Mpzf;

@@ -12,8 +12,6 @@
 namespace gnomon {
 namespace {
 
-using Integer = boost::multiprecision::mpz_int;
-
 /// A double that is no smaller than the number.
 double rounded_up(const Rational& number) {
   const double nearest = nearest_double(number);

@@ -46,6 +46,7 @@ enum class EventKind : std::uint8_t {
   light_plane,     ///< the light shows its edge
   horizon,         ///< seen along the receiver's plane, two elements that meet it are in line with the light
   border,          ///< the receiver ends
+  triple_edge,     ///< three edges are seen in line, in front of the light or one of them the light's (EEE)
 };
 
 /// What an event bounds, as far as light and one blocker decide it.
@@ -62,7 +63,7 @@ constexpr std::string_view name(Extremal extremal) {
 
 constexpr std::string_view name(EventKind kind) {
   constexpr std::string_view names[] = {"vertex_edge", "coplanar_edges", "coplanar_plane", "contact",
-                                        "light_plane", "horizon",        "border"};
+                                        "light_plane", "horizon",        "border",         "triple_edge"};
   return names[static_cast<int>(kind)];
 }
 
@@ -72,10 +73,12 @@ constexpr std::string_view name(EventKind kind) {
 /// After: [P93] §4.2.3.2.
 struct EventName {
   EventKind kind = EventKind::vertex_edge;
-  EventElement vertex;  ///< of coplanar_edges and horizon the element nearer to the light; of other kinds as `edge`
+  EventElement vertex;  ///< of coplanar_edges and horizon the element nearer to the light, of triple_edge the first
+                        ///< edge; of other kinds as `edge`
   EventElement edge;    ///< of a facet or a flat blocker its index; of horizon an edge, as `vertex`
   std::uint8_t order = 2;
   Extremal extremal = Extremal::none;
+  EventElement third{};  ///< of triple_edge the third edge; of other kinds nothing
 
   friend auto operator<=>(const EventName&, const EventName&) = default;  // NOLINT(modernize-use-nullptr)
 };

@@ -49,7 +49,7 @@ constexpr std::string_view name(ReceiverRegion region) {
 /// An edge as it is met when a face's boundary is walked along: 2 * edge forward, 2 * edge + 1 backward.
 using MeshEdgeUse = std::uint32_t;
 
-/// An open segment between two faces, or inside of one.
+/// An open segment or arc between two faces, or inside of one.
 struct MeshEdge {
   static constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
 
@@ -58,9 +58,18 @@ struct MeshEdge {
   std::uint32_t left = nowhere;      ///< the face on the left, seen from the front; `nowhere` beyond the border
   std::uint32_t right = nowhere;     ///< the face on the right
   std::vector<std::uint32_t> names;  ///< the events that run along it: indices into ReceiverMesh::names()
+  std::uint32_t arc = nowhere;       ///< index into ReceiverMesh::arcs(); `nowhere` of a segment
 };
 
-/// A face that no event crosses but triple-edge ones.
+/// The arc of a conic, from an edge's source to its target, as a rational quadratic Bezier curve.
+///
+/// A point of it, at 0 <= t <= 1: (1-t)^2 p0 + 2 t (1-t) w p1 + t^2 p2 over (1-t)^2 + 2 t (1-t) w + t^2.
+struct MeshArc {
+  std::array<Point3, 3> points{};  ///< p0, p1, p2; the middle one is off by at most 2^-50 of the largest coordinate
+  double weight = 1;               ///< w > 0: below 1 of an ellipse, above 1 of a hyperbola; so is this
+};
+
+/// A face that no event crosses that could change its region.
 struct MeshFace {
   ReceiverRegion region = ReceiverRegion::lit;
   std::vector<std::vector<MeshEdgeUse>> cycles;  ///< the face on the left; the outer cycle first, then holes
@@ -70,6 +79,15 @@ struct MeshFace {
 struct ReceiverTriangle {
   std::array<std::uint32_t, 3> vertices{};
   std::uint32_t face = 0;
+  bool is_at_arc = false;  ///< one of its sides stands for a piece of an arc
+};
+
+/// A mesh with chords for its arcs.
+struct MeshDrawing {
+  std::vector<Point3> points;                     ///< the mesh's vertices, then points on arcs; rounded to nearest
+  std::vector<ReceiverTriangle> triangles;        ///< the faces, counterclockwise seen from the front
+  std::vector<std::vector<std::uint32_t>> lines;  ///< of each edge, from its source to its target
+  double chord_error = 0;                         ///< no point of an arc is farther from its chords
 };
 
 /// Connected faces of one region.
@@ -90,12 +108,16 @@ RegionArea total_area(std::span<const RegionArea> areas);
 
 /// A receiver, divided by all discontinuities of what it receives of one light.
 ///
-/// Definition: the faces between the traces of all events of theory section 6 but the triple-edge ones, and the
-///             receiver's border. Of a point on the receiver the limit from its front is meant, and of the light what
-///             lies strictly before the receiver's plane: unlit where nothing does, or where the light shows its back
-///             or its edge; else lit, penumbra or umbra by how much of that is hidden. See docs/receivers.md.
-/// Exactness:  the structure, the labels and the areas are exact; coordinates are rounded once, when they leave.
-/// After:      [P93] §4.4.3, complete EV discontinuity meshing as of Heckbert and of Lischinski et al.
+/// Definition: the faces between the traces of all events of theory section 6, of the triple-edge ones (three edges in
+///             line) those that bound an umbra, and the receiver's border. Of a point on the receiver the limit from
+///             its front is meant, and of the light what lies strictly before the receiver's plane: unlit where nothing
+///             does, or where the light shows its back or its edge; else lit, penumbra or umbra by how much of that is
+///             hidden. See docs/receivers.md.
+/// Exactness:  the structure and the labels are exact, and so are areas without arcs; coordinates are rounded once,
+/// when
+///             they leave.
+/// After:      [P93] §4.4.3, complete EV discontinuity meshing as of Heckbert and of Lischinski et al.; triple edges
+///             after Demouth, Devillers, Everett, Glisse, Lazard, Seidel (2009).
 class ReceiverMesh {
  public:
   /// Rounded to nearest.
@@ -105,8 +127,11 @@ class ReceiverMesh {
   const std::vector<MeshFace>& faces() const;
   const std::vector<EventName>& names() const;
 
-  /// The faces in triangles between their own vertices, which run counterclockwise seen from the front.
-  std::vector<ReceiverTriangle> triangles() const;
+  std::vector<MeshArc> arcs() const;
+
+  /// The mesh as triangles and lines. Chords of arcs are at most 1/4096 of the receiver's width from them, closer where
+  /// they would cross others.
+  MeshDrawing drawing() const;
 
   /// Connected components of equal region.
   std::vector<RegionPolygon> regions() const;

@@ -1,6 +1,7 @@
 #include "viz/vtk/discontinuity_blocks.h"
 
 #include <vtkCellData.h>
+#include <vtkDoubleArray.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
@@ -27,6 +28,9 @@ std::string event_text(const DiscontinuityResult& result, const std::string& lig
   };
   const std::string kind(gnomon::name(name.kind));
   if (name.kind == EventKind::coplanar_edges) return "edge " + text(name.vertex) + ", edge " + text(name.edge);
+  if (name.kind == EventKind::triple_edge) {
+    return "edge " + text(name.vertex) + ", edge " + text(name.edge) + ", edge " + text(name.third);
+  }
   if (name.kind == EventKind::horizon) return "horizon edge " + text(name.vertex) + ", edge " + text(name.edge);
   if (name.kind != EventKind::vertex_edge) return kind + " " + text(name.edge);
   return "vertex " + text(name.vertex) + ", edge " + text(name.edge);
@@ -65,31 +69,52 @@ std::uint32_t leading_name(const ReceiverMesh& mesh, const MeshEdge& edge) {
   });
 }
 
-vtkSmartPointer<vtkPolyData> edges(const DiscontinuityResult& result, SideResult side, const SidePoints& points,
+/// Of an edge that is an arc its middle control point and its weight; of others zeros. With its ends they are the arc.
+void add_arc_arrays(vtkPolyData& data, SideResult side) {
+  vtkNew<vtkDoubleArray> points, weights;
+  points->SetName("arc_control_point");
+  points->SetNumberOfComponents(3);
+  weights->SetName("arc_weight");
+  for (const ReceiverResult& piece : side) {
+    const std::vector<MeshArc> arcs = piece.mesh.arcs();
+    for (const MeshEdge& edge : piece.mesh.edges()) {
+      const MeshArc arc = edge.arc == MeshEdge::nowhere ? MeshArc{{}, 0} : arcs[edge.arc];
+      points->InsertNextTuple3(arc.points[1].x, arc.points[1].y, arc.points[1].z);
+      weights->InsertNextValue(arc.weight);
+    }
+  }
+  data.GetCellData()->AddArray(points);
+  data.GetCellData()->AddArray(weights);
+}
+
+vtkSmartPointer<vtkPolyData> edges(const DiscontinuityResult& result, SideResult side, const SideDrawing& drawing,
                                    std::vector<std::string>& event_names) {
   vtkNew<vtkCellArray> cells;
   std::vector<CellName> names;
   EventCells events;
   vtkIdType first_point = 0;
-  for (const ReceiverResult& piece : side) {
+  for (std::size_t k = 0; k < side.size(); ++k) {
+    const ReceiverResult& piece = side[k];
     const std::size_t first_name = event_names.size();
     for (const EventName& name : piece.mesh.names()) {
       event_names.push_back(event_text(result, piece.light, piece.receiver, name));
     }
-    for (const MeshEdge& edge : piece.mesh.edges()) {
-      insert_cell(*cells, std::array{edge.source, edge.target}, first_point);
+    for (std::size_t e = 0; e < piece.mesh.edges().size(); ++e) {
+      const MeshEdge& edge = piece.mesh.edges()[e];
+      insert_cell(*cells, drawing.pieces[k].lines[e], first_point);
       const std::uint32_t name = leading_name(piece.mesh, edge);
       names.push_back(cell_of(result, piece.light_id, piece.mesh.names()[name]));
       events.of_cell.push_back(static_cast<std::int32_t>(first_name + name));
     }
-    first_point += static_cast<vtkIdType>(piece.mesh.vertex_count());
+    first_point += static_cast<vtkIdType>(drawing.pieces[k].points.size());
   }
   auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(vtk_points(points.points));
+  data->SetPoints(vtk_points(drawing.points));
   data->SetLines(cells);
   add_cell_arrays(*data, names);
   add_event_array(*data, events);
-  add_vertex_fractions(*data, points);
+  if (drawing.chord_error > 0) add_arc_arrays(*data, side);
+  add_vertex_fractions(*data, drawing);
   return data;
 }
 
@@ -97,10 +122,11 @@ ShadowResult frame_of(const DiscontinuityResult& result) {
   return {result.scene, result.clip_box, {}};
 }
 
-void append_edges(std::vector<Block>& blocks, const DiscontinuityResult& result, SideResult side) {
+void append_edges(std::vector<Block>& blocks, const DiscontinuityResult& result, SideResult side,
+                  const SideDrawing& drawing) {
   std::vector<std::string> event_names;
-  auto lines = edges(result, side, side_points(side), event_names);
-  Fields fields = receiver_fields(frame_of(result), side);
+  auto lines = edges(result, side, drawing, event_names);
+  Fields fields = receiver_fields(frame_of(result), side, drawing);
   fields.push_back({"event_names", std::move(event_names)});
   append_block(blocks,
                {{"receivers", side.front().light, side.front().side, "edges"}, "receiver_edges", fields, lines});
@@ -144,8 +170,9 @@ std::vector<Block> discontinuity_blocks(const DiscontinuityResult& result) {
   std::vector<Block> blocks;
   append_scene_blocks(blocks, frame_of(result));
   for (const SideResult side : sides_of(result.receivers)) {
-    append_receiver_faces(blocks, frame_of(result), side);
-    append_edges(blocks, result, side);
+    const SideDrawing drawing = side_drawing(side);
+    append_receiver_faces(blocks, frame_of(result), side, drawing);
+    append_edges(blocks, result, side, drawing);
   }
   for (const SurfaceResult& light : result.surfaces) {
     for (const int order : {0, 1, 2}) append_surfaces(blocks, result, light, order);

@@ -5,6 +5,9 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "gnomon/receiver_mesh.h"
 #include "viz/vtk/cell_arrays.h"
 #include "viz/vtk/vtk_cells.h"
@@ -25,17 +28,23 @@ CellName face_cell(const ReceiverResult& piece, std::size_t face, std::size_t fi
 
 }  // namespace
 
-SidePoints side_points(SideResult side) {
-  SidePoints result;
+SideDrawing side_drawing(SideResult side) {
+  SideDrawing result;
   for (const ReceiverResult& piece : side) {
-    const std::vector<Point3> points = piece.mesh.vertices();
-    result.points.insert(result.points.end(), points.begin(), points.end());
-    result.fractions.insert(result.fractions.end(), piece.visible_fractions.begin(), piece.visible_fractions.end());
+    MeshDrawing drawing = piece.mesh.drawing();
+    result.points.insert(result.points.end(), drawing.points.begin(), drawing.points.end());
+    result.chord_error = std::max(result.chord_error, drawing.chord_error);
+    if (!piece.visible_fractions.empty()) {
+      result.fractions.insert(result.fractions.end(), piece.visible_fractions.begin(), piece.visible_fractions.end());
+      // Arcs bound umbrae, which they belong to.
+      result.fractions.resize(result.points.size(), 0);
+    }
+    result.pieces.push_back(std::move(drawing));
   }
   return result;
 }
 
-Fields receiver_fields(const ShadowResult& frame, SideResult side) {
+Fields receiver_fields(const ShadowResult& frame, SideResult side, const SideDrawing& drawing) {
   Fields fields = leaf_fields(frame, false);
   fields.push_back({"light", std::vector<std::string>{side.front().light}});
   fields.push_back({"receiver", std::vector<std::string>{side.front().side}});
@@ -45,39 +54,40 @@ Fields receiver_fields(const ShadowResult& frame, SideResult side) {
     fields.push_back({region + "_area", std::vector<double>{areas[k].nearest}});
     if (areas[k].exact) fields.push_back({region + "_area_exact", std::vector<std::string>{*areas[k].exact}});
   }
+  if (drawing.chord_error > 0) fields.push_back({"chord_error", std::vector<double>{drawing.chord_error}});
   return fields;
 }
 
-void add_vertex_fractions(vtkPointSet& data, const SidePoints& points) {
-  if (points.fractions.empty()) return;
+void add_vertex_fractions(vtkPointSet& data, const SideDrawing& drawing) {
+  if (drawing.fractions.empty()) return;
   vtkNew<vtkDoubleArray> array;
   array->SetName("visible_fraction");
-  for (const double fraction : points.fractions) array->InsertNextValue(fraction);
+  for (const double fraction : drawing.fractions) array->InsertNextValue(fraction);
   data.GetPointData()->AddArray(array);
 }
 
-void append_receiver_faces(std::vector<Block>& blocks, const ShadowResult& frame, SideResult side) {
+void append_receiver_faces(std::vector<Block>& blocks, const ShadowResult& frame, SideResult side,
+                           const SideDrawing& drawing) {
   vtkNew<vtkCellArray> cells;
   std::vector<CellName> names;
   vtkIdType first_point = 0;
   std::size_t first_face = 0;
-  for (const ReceiverResult& piece : side) {
-    for (const ReceiverTriangle& triangle : piece.mesh.triangles()) {
+  for (std::size_t k = 0; k < side.size(); ++k) {
+    for (const ReceiverTriangle& triangle : drawing.pieces[k].triangles) {
       insert_cell(*cells, triangle.vertices, first_point);
-      names.push_back(face_cell(piece, triangle.face, first_face));
+      names.push_back(face_cell(side[k], triangle.face, first_face));
     }
-    first_point += static_cast<vtkIdType>(piece.mesh.vertex_count());
-    first_face += piece.mesh.faces().size();
+    first_point += static_cast<vtkIdType>(drawing.pieces[k].points.size());
+    first_face += side[k].mesh.faces().size();
   }
-  const SidePoints points = side_points(side);
   auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(vtk_points(points.points));
+  data->SetPoints(vtk_points(drawing.points));
   data->SetPolys(cells);
   add_cell_arrays(*data, names);
-  add_vertex_fractions(*data, points);
+  add_vertex_fractions(*data, drawing);
   append_block(blocks, {{"receivers", side.front().light, side.front().side, "faces"},
                         "receiver_faces",
-                        receiver_fields(frame, side),
+                        receiver_fields(frame, side, drawing),
                         data});
 }
 

@@ -2,28 +2,33 @@
 
 #include <vector>
 
+#include "gnomon/receiver_mesh.h"
 #include "gnomon/result.h"
 #include "viz/vtk/block.h"
 
 namespace gnomon::viz {
 
-/// The vertices of all pieces of a side, one after the other, and their visible fractions where these are known.
-struct SidePoints {
+/// The pieces of a side as they are drawn, all their points one after the other, and the visible fractions of these
+/// where they are known.
+struct SideDrawing {
+  std::vector<MeshDrawing> pieces;
   std::vector<Point3> points;
   std::vector<double> fractions;
+  double chord_error = 0;
 };
 
-SidePoints side_points(SideResult side);
+SideDrawing side_drawing(SideResult side);
 
 /// What the leaves of a divided receiver say: light, receiver, and the area of each region. `frame` is the result they
-/// belong to.
-Fields receiver_fields(const ShadowResult& frame, SideResult side);
+/// belong to. Where arcs are drawn as chords, how far these are from them at most.
+Fields receiver_fields(const ShadowResult& frame, SideResult side, const SideDrawing& drawing);
 
 /// Adds the point array `visible_fraction`, where the fractions are known.
-void add_vertex_fractions(vtkPointSet& data, const SidePoints& points);
+void add_vertex_fractions(vtkPointSet& data, const SideDrawing& drawing);
 
 /// Adds the block `receivers/LIGHT/NAME/faces`: triangles, counterclockwise seen from the receiver's front, with the
 /// region of the face whose number is their `facet_id`.
-void append_receiver_faces(std::vector<Block>& blocks, const ShadowResult& frame, SideResult side);
+void append_receiver_faces(std::vector<Block>& blocks, const ShadowResult& frame, SideResult side,
+                           const SideDrawing& drawing);
 
 }  // namespace gnomon::viz

@@ -142,7 +142,9 @@ std::vector<Block> shadow_blocks(const ShadowResult& result) {
   for (const auto append : {append_solids, append_planes}) {
     for (const Group group : groups) append(blocks, result, group);
   }
-  for (const SideResult side : sides_of(result.receivers)) append_receiver_faces(blocks, result, side);
+  for (const SideResult side : sides_of(result.receivers)) {
+    append_receiver_faces(blocks, result, side, side_drawing(side));
+  }
   return blocks;
 }
 

@@ -1,11 +1,16 @@
 #include "apps/proof/laws/subject.h"
 
+#include <utility>
+
 namespace gnomon::laws {
 
 DividedReceiver divided_receiver(const Light& light, const std::vector<ConvexBlocker>& blockers,
                                  const ConvexPolygon& receiver) {
   const ReceiverMesh mesh = receiver_division(light, blockers, std::vector{receiver}).front();
-  DividedReceiver result{mesh.vertices(), mesh.edges(), {}, mesh.names(), mesh.triangles()};
+  MeshDrawing drawing = mesh.drawing();
+  // Triangles beside an arc may reach a little beyond it.
+  std::erase_if(drawing.triangles, [](const ReceiverTriangle& t) { return t.is_at_arc; });
+  DividedReceiver result{std::move(drawing.points), mesh.edges(), {}, mesh.names(), std::move(drawing.triangles)};
   for (const MeshFace& face : mesh.faces()) result.faces.push_back(face.region);
   return result;
 }

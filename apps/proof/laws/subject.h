@@ -15,7 +15,7 @@ namespace gnomon::laws {
 
 /// A receiver's mesh as plain lists, as ReceiverMesh has them.
 struct DividedReceiver {
-  std::vector<Point3> vertices;  ///< rounded to nearest
+  std::vector<Point3> vertices;  ///< rounded to nearest; after the mesh's own those of triangles inside of arcs
   std::vector<MeshEdge> edges;
   std::vector<ReceiverRegion> faces;  ///< their regions
   std::vector<EventName> names;

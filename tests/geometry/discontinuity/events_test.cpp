@@ -210,7 +210,7 @@ std::size_t expect_constant_structure(const AreaLight& light, const Blockers& bl
   std::map<std::uint32_t, Structure> of_face;
   std::map<std::uint32_t, bool> is_crossed;
   std::size_t compared = 0;
-  for (const ReceiverTriangle& t : mesh.triangles()) {
+  for (const ReceiverTriangle& t : straight_triangles(mesh)) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
       // Two thirds of the way from a corner to the middle of the opposite side, and nearer to the corner than others.
       Point3 p{0, 0, 0};

@@ -16,6 +16,12 @@ namespace gnomon {
 /// number of the face's cycles, in rational arithmetic.
 std::optional<std::uint32_t> face_at(const ReceiverMesh& mesh, const ExactVector& point);
 
+/// The triangles of a mesh between its own vertices that do not border on an arc.
+std::vector<ReceiverTriangle> straight_triangles(const ReceiverMesh& mesh);
+
+/// Whether a point lies inside of a face.
+bool is_in_face(const ReceiverMesh& mesh, std::uint32_t face, const ExactVector& point);
+
 /// A polygon in the plane z = `z`: the rectangle from (x0, y0) to (x1, y1), seen from above or below counterclockwise.
 enum class Facing { up, down };
 ConvexPolygon rectangle(double x0, double y0, double x1, double y1, double z, Facing facing);

@@ -92,7 +92,8 @@ void compare(Dice& dice, const SideCase& drawn, std::uint32_t r, const ReceiverM
   ++tally.meshes;
   tally.with_horizon += std::any_of(mesh.names().begin(), mesh.names().end(),
                                     [](const EventName& name) { return name.kind == EventKind::horizon; });
-  const auto triangles = mesh.triangles();
+  const auto triangles = straight_triangles(mesh);
+  if (triangles.empty()) return;
   for (int n = 0; n < 5; ++n) {
     const ReceiverTriangle& triangle = some_triangle(dice, mesh, triangles);
     const event::ReceiverPlane& plane = mesh.data().plane;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Three edges in line (EEE events), told roughly: an oracle apart from region_change.h.
+/// Three edges in line (EEE events), told roughly: an oracle apart from closing_arcs.h.
 
 #include <span>
 

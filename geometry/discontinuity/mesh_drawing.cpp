@@ -1,0 +1,208 @@
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "geometry/discontinuity/receiver_mesh_data.h"
+#include "geometry/numbers/rounding.h"
+
+namespace gnomon {
+namespace {
+
+using DrawingKernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using DrawingVertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, DrawingKernel>;
+using DrawingFaceBase = CGAL::Constrained_triangulation_face_base_2<DrawingKernel>;
+using DrawingStructure = CGAL::Triangulation_data_structure_2<DrawingVertexBase, DrawingFaceBase>;
+using DrawingTriangulation =
+    CGAL::Constrained_Delaunay_triangulation_2<DrawingKernel, DrawingStructure, CGAL::No_constraint_intersection_tag>;
+
+/// How far an arc strays from its chord, between two values of the parameter: the height of the middle Bezier point
+/// times w / (1 + w). Of plain doubles, told a little larger.
+double arc_height(const FaceArc& arc, const Rational& from, const Rational& to) {
+  const auto points = conic::bezier_points(arc.curve, from, to);
+  std::array<double, 3> h[3];
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) h[i][k] = nearest_double(Rational(points[i][k] / points[0][0]));
+  }
+  const auto x = [&](int i) { return h[i][1] / h[i][0]; };
+  const auto y = [&](int i) { return h[i][2] / h[i][0]; };
+  const double chord_x = x(2) - x(0), chord_y = y(2) - y(0), length = std::hypot(chord_x, chord_y);
+  const double weight = h[1][0] / std::sqrt(h[0][0] * h[2][0]);
+  if (!(length > 0) || !(std::fabs(weight) < 1e150)) return 0;
+  const double height = std::fabs((x(1) - x(0)) * chord_y - (y(1) - y(0)) * chord_x) / length;
+  return 1.0001 * height * std::fabs(weight) / (1 + std::fabs(weight));
+}
+
+/// A mesh on its receiver's plane, arcs as chords.
+class FlatDrawing {
+ public:
+  FlatDrawing(const ReceiverMesh::Data& data, double tolerance) : data_(data), tolerance_(tolerance) {
+    for (std::uint32_t v = 0; v < data.vertex_count(); ++v) points_.push_back(data.point(v));
+    for (const MeshEdge& edge : data.edges) lines_.push_back(line(edge));
+  }
+
+  const std::vector<event::FlatPoint>& points() const { return points_; }
+  double chord_error() const { return chord_error_; }
+  std::vector<std::vector<std::uint32_t>> take_lines() { return std::move(lines_); }
+
+  /// Throws: what CGAL throws where chords cross.
+  std::vector<ReceiverTriangle> triangles() const {
+    DrawingTriangulation triangulation;
+    std::vector<DrawingTriangulation::Vertex_handle> handles;
+    for (const event::FlatPoint& p : points_) {
+      handles.push_back(triangulation.insert(DrawingKernel::Point_2(DrawingKernel::FT(p.x), DrawingKernel::FT(p.y))));
+      handles.back()->info() = static_cast<std::uint32_t>(handles.size() - 1);
+    }
+    for (std::size_t e = 0; e < lines_.size(); ++e) {
+      for (std::size_t k = 0; k + 1 < lines_[e].size(); ++k) {
+        triangulation.insert_constraint(handles[lines_[e][k]], handles[lines_[e][k + 1]]);
+      }
+    }
+    return labelled(triangulation);
+  }
+
+ private:
+  struct Left {
+    std::uint32_t face = MeshEdge::nowhere;
+    bool is_arc = false;
+  };
+
+  std::vector<std::uint32_t> line(const MeshEdge& edge) {
+    std::vector<std::uint32_t> result{edge.source};
+    if (edge.arc != MeshEdge::nowhere) {
+      const FaceArc& arc = data_.arcs[edge.arc];
+      append_points(arc, arc.from.high, arc.to.low, 0, result);
+    }
+    result.push_back(edge.target);
+    return result;
+  }
+
+  /// Points of an arc between two of its parameters that stay away from its chords.
+  void append_points(const FaceArc& arc, const Rational& from, const Rational& to, int halvings,
+                     std::vector<std::uint32_t>& line) {
+    constexpr int most_halvings = 16;
+    const double height = arc_height(arc, from, to);
+    if (height <= tolerance_ || halvings == most_halvings) {
+      chord_error_ = std::max(chord_error_, height);
+      return;
+    }
+    const Rational middle = short_number_between(from, to);
+    append_points(arc, from, middle, halvings + 1, line);
+    line.push_back(static_cast<std::uint32_t>(points_.size()));
+    points_.push_back(*arc.curve.at(middle));
+    append_points(arc, middle, to, halvings + 1, line);
+  }
+
+  std::vector<ReceiverTriangle> labelled(const DrawingTriangulation& triangulation) const {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, Left> left;
+    for (std::size_t e = 0; e < lines_.size(); ++e) {
+      const MeshEdge& edge = data_.edges[e];
+      const bool is_arc = edge.arc != MeshEdge::nowhere;
+      for (std::size_t k = 0; k + 1 < lines_[e].size(); ++k) {
+        left[{lines_[e][k], lines_[e][k + 1]}] = {edge.left, is_arc};
+        left[{lines_[e][k + 1], lines_[e][k]}] = {edge.right, is_arc};
+      }
+    }
+    std::map<DrawingTriangulation::Face_handle, std::uint32_t> face_of;
+    for (auto t = triangulation.finite_faces_begin(); t != triangulation.finite_faces_end(); ++t) {
+      for (int i = 0; i < 3; ++i) {
+        const auto found = left.find(side(t, i));
+        if (found != left.end() && found->second.face != MeshEdge::nowhere) spread(t, found->second.face, face_of);
+      }
+    }
+    std::vector<ReceiverTriangle> result;
+    for (auto t = triangulation.finite_faces_begin(); t != triangulation.finite_faces_end(); ++t) {
+      const auto found = face_of.find(t);
+      if (found == face_of.end()) continue;
+      bool is_at_arc = false;
+      for (int i = 0; i < 3; ++i) {
+        const auto at = left.find(side(t, i));
+        is_at_arc = is_at_arc || (at != left.end() && at->second.is_arc);
+      }
+      result.push_back({{t->vertex(0)->info(), t->vertex(1)->info(), t->vertex(2)->info()}, found->second, is_at_arc});
+    }
+    return result;
+  }
+
+  static std::pair<std::uint32_t, std::uint32_t> side(DrawingTriangulation::Face_handle t, int i) {
+    return {t->vertex(DrawingTriangulation::ccw(i))->info(), t->vertex(DrawingTriangulation::cw(i))->info()};
+  }
+
+  /// Gives the triangles that no edge parts from this one the same face.
+  static void spread(DrawingTriangulation::Face_handle first, std::uint32_t face,
+                     std::map<DrawingTriangulation::Face_handle, std::uint32_t>& of) {
+    std::vector<DrawingTriangulation::Face_handle> stack{first};
+    while (!stack.empty()) {
+      const auto triangle = stack.back();
+      stack.pop_back();
+      if (!of.try_emplace(triangle, face).second) continue;
+      for (int i = 0; i < 3; ++i) {
+        if (!triangle->is_constrained(i)) stack.push_back(triangle->neighbor(i));
+      }
+    }
+  }
+
+  const ReceiverMesh::Data& data_;
+  double tolerance_;
+  std::vector<event::FlatPoint> points_;
+  std::vector<std::vector<std::uint32_t>> lines_;
+  double chord_error_ = 0;
+};
+
+double width_of(std::span<const Point3> points) {
+  Box3 box{points[0], points[0]};
+  for (const Point3& p : points) {
+    box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};
+    box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
+  }
+  return std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z});
+}
+
+Point3 lifted(const event::ReceiverPlane& plane, const event::FlatPoint& p) {
+  const ExactVector q = plane.spatial(p);
+  return {nearest_double(q.x), nearest_double(q.y), nearest_double(q.z)};
+}
+
+}  // namespace
+
+std::vector<MeshArc> ReceiverMesh::arcs() const {
+  std::vector<MeshArc> result;
+  for (const FaceArc& arc : data_->arcs) {
+    const auto points = conic::bezier_points(arc.curve, arc.from.high, arc.to.low);
+    MeshArc& made = result.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto& [w, x, y] = points[k];
+      made.points[k] = lifted(data_->plane, {Rational(x / w), Rational(y / w)});
+    }
+    const Rational &w0 = points[0][0], &w1 = points[1][0], &w2 = points[2][0];
+    made.weight = nearest_root(Rational(w1 * w1 / (w0 * w2)));
+  }
+  return result;
+}
+
+MeshDrawing ReceiverMesh::drawing() const {
+  MeshDrawing result;
+  // A flat length is stretched when it is lifted to the receiver's plane, at most by the square root of 3.
+  const double stretch = nearest_root(data_->plane.squared_stretch());
+  const double width = width_of(vertices());
+  double tolerance = width / 4096 / stretch;
+  while (true) {
+    FlatDrawing flat(*data_, tolerance);
+    try {
+      result.triangles = flat.triangles();
+    } catch (const DrawingTriangulation::Intersection_of_constraints_exception&) {
+      if (tolerance < 1e-12 * width) throw;  // two arcs touch
+      tolerance /= 8;
+      continue;
+    }
+    result.lines = flat.take_lines();
+    result.chord_error = 1.0001 * stretch * flat.chord_error();
+    for (const event::FlatPoint& p : flat.points()) result.points.push_back(lifted(data_->plane, p));
+    return result;
+  }
+}
+
+}  // namespace gnomon
