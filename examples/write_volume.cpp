@@ -13,13 +13,14 @@ namespace {
 void write_first_pair(const char* file, const char* directory) {
   using namespace gnomon;
   const Scene scene = read_scene(file);
-  const Light& light = scene.lights.at(0).shape;
-  const ConvexPolygon& blocker = std::get<ConvexPolygon>(scene.blockers.at(0).shape);
+  const auto& space = std::get<SpaceScene>(scene);
+  const Light& light = space.lights.at(0).shape;
+  const ConvexPolygon& blocker = std::get<ConvexPolygon>(space.blockers.at(0).shape);
   const Box3 box = default_clip_box(scene).value();
 
   PairResult pair;
-  pair.light = scene.lights[0].name;
-  pair.blocker = scene.blockers[0].name;
+  pair.light = space.lights[0].name;
+  pair.blocker = space.blockers[0].name;
   pair.position = pair_position(light, blocker);
   pair.supported = pair.position == Position::standard;
   if (pair.supported) {

@@ -42,15 +42,15 @@ Json elements_json(const std::vector<RecognisedElement>& elements) {
 
 Json check_json(const Scene& scene, const RecognisedElements& elements, const std::vector<ScenePair>& pairs) {
   Json json = {{"schema", "gnomon/check/1"},
-               {"scene", scene.source},
-               {"dimension", scene.dimension},
-               {"length_unit", scene.length_unit}};
+               {"scene", facts(scene).source},
+               {"dimension", dimension(scene)},
+               {"length_unit", facts(scene).length_unit}};
   const std::optional<Box3> box = default_clip_box(scene);
-  json["clip_box"] = box ? box_json(*box, scene.dimension) : Json();
+  json["clip_box"] = box ? box_json(*box, dimension(scene)) : Json();
   json["lights"] = elements_json(elements.lights);
   json["blockers"] = elements_json(elements.blockers);
   json["receivers"] = elements_json(elements.receivers);
-  json["doubts"] = scene.doubts;
+  json["doubts"] = facts(scene).doubts;
   json["pairs"] = Json::array();
   for (const ScenePair& pair : pairs) json["pairs"].push_back(pair_json(pair));
   return json;
@@ -110,12 +110,12 @@ std::string pairs_text(const std::vector<ScenePair>& pairs) {
 std::string check_text(const Scene& scene, const RecognisedElements& elements, const std::vector<ScenePair>& pairs) {
   std::string text = in_columns(scene_text(scene));
   if (const auto box = default_clip_box(scene)) {
-    text += in_columns("default clip box: " + box_text(*box, scene.dimension));
+    text += in_columns("default clip box: " + box_text(*box, dimension(scene)));
   }
   text += section("lights", elements.lights) + section("blockers", elements.blockers) +
           section("receivers", elements.receivers) + pairs_text(pairs);
-  text += scene.doubts.empty() ? "no doubts\n" : "doubts\n";
-  for (const std::string& doubt : scene.doubts) text += in_columns("  " + doubt);
+  text += facts(scene).doubts.empty() ? "no doubts\n" : "doubts\n";
+  for (const std::string& doubt : facts(scene).doubts) text += in_columns("  " + doubt);
   return text;
 }
 

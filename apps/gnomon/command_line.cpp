@@ -167,9 +167,9 @@ void add_quiet_option(CommandLine& app, CommonOptions& options) {
 }
 
 Box3 clip_box(const Scene& scene, const std::string& box_option) {
-  if (!box_option.empty()) return box_from_text(box_option, scene.dimension == 2 ? 2 : 3);
+  if (!box_option.empty()) return box_from_text(box_option, static_cast<std::size_t>(dimension(scene)));
   if (const auto box = default_clip_box(scene)) return *box;
-  throw SceneError(scene.source +
+  throw SceneError(facts(scene).source +
                    ": the scene has no finite bounding box with an interior; give a clip box with --box");
 }
 

@@ -25,7 +25,7 @@ PairResult computed(const ScenePair& pair, const Box3& clip_box) {
   return result;
 }
 
-PlanarPairResult computed_in_plane(const Scene& scene, const ScenePair& pair, const Box3& clip_box) {
+PlanarPairResult computed_in_plane(const PlaneScene& scene, const ScenePair& pair, const Box3& clip_box) {
   planar::ShadowRegions regions = planar::shadow_regions(planar_pair(scene, pair));
   const Box2 box{{clip_box.min.x, clip_box.min.y}, {clip_box.max.x, clip_box.max.y}};
   planar::ShadowRegionsInBox in_box = planar::regions_in_box(regions, box);
@@ -39,7 +39,7 @@ PlanarPairResult computed_in_plane(const Scene& scene, const ScenePair& pair, co
 }
 
 /// The pairs of one light as one light behind all of their segments.
-PlanarLightResult computed_together(const Scene& scene, std::span<const ScenePair> pairs, const Box3& clip_box) {
+PlanarLightResult computed_together(const PlaneScene& scene, std::span<const ScenePair> pairs, const Box3& clip_box) {
   std::vector<planar::BlockerSegment> segments;
   std::vector<std::string> names;
   std::vector<std::uint32_t> ids;
@@ -49,7 +49,7 @@ PlanarLightResult computed_together(const Scene& scene, std::span<const ScenePai
     ids.push_back(static_cast<std::uint32_t>(pair.blocker_index));
   }
   const std::size_t light = pairs.front().light_index;
-  const planar::Sight sight(planar::Flatland::from_points(scene.planar_lights[light].vertices, segments));
+  const planar::Sight sight(planar::Flatland::from_points(scene.lights[light].vertices, segments));
   const Box2 box{{clip_box.min.x, clip_box.min.y}, {clip_box.max.x, clip_box.max.y}};
   planar::Partition partition = planar::partition(sight, {planar::Fineness::regions, box});
   planar::PartitionInBox in_box = planar::partition_in_box(partition);
@@ -62,7 +62,7 @@ PlanarLightResult computed_together(const Scene& scene, std::span<const ScenePai
 }
 
 /// One result for every light that is behind more than one segment.
-std::vector<PlanarLightResult> computed_together(const Scene& scene, const std::vector<ScenePair>& pairs,
+std::vector<PlanarLightResult> computed_together(const PlaneScene& scene, const std::vector<ScenePair>& pairs,
                                                  const Box3& clip_box) {
   std::vector<PlanarLightResult> results;
   for (std::size_t first = 0; first < pairs.size();) {
@@ -79,11 +79,12 @@ std::vector<PlanarLightResult> computed_together(const Scene& scene, const std::
 ShadowResult computed_in_plane(const Scene& scene, const std::vector<ScenePair>& pairs, const Box3& clip_box,
                                Progress& progress) {
   ShadowResult result{&scene, clip_box, {}};
+  const auto& plane = std::get<PlaneScene>(scene);
   for (const ScenePair& pair : pairs) {
-    result.planar_pairs.push_back(computed_in_plane(scene, pair, clip_box));
+    result.planar_pairs.push_back(computed_in_plane(plane, pair, clip_box));
     progress.step();
   }
-  result.planar_lights = computed_together(scene, pairs, clip_box);
+  result.planar_lights = computed_together(plane, pairs, clip_box);
   return result;
 }
 
@@ -93,7 +94,7 @@ ShadowResult computed_shadows(const Scene& scene, const std::vector<ScenePair>& 
                               const Effort& effort) {
   using enum Progress::Visibility;
   Progress progress("pair", pairs.size(), effort.shows_progress ? automatic : hidden);
-  if (scene.dimension == 2) return computed_in_plane(scene, pairs, clip_box, progress);
+  if (std::holds_alternative<PlaneScene>(scene)) return computed_in_plane(scene, pairs, clip_box, progress);
   ShadowResult result{&scene, clip_box, std::vector<PairResult>(pairs.size())};
   for_all(pairs.size(), thread_count(effort.threads), [&](std::size_t i, std::size_t) {
     result.pairs[i] = computed(pairs[i], clip_box);

@@ -13,7 +13,7 @@ struct Effort {
   bool shows_progress = true;  ///< on a terminal; nothing is shown elsewhere
 };
 
-/// The shadows of the supported pairs; result.pairs (planar_pairs in dimension 2) has the order of `pairs`,
+/// The shadows of the supported pairs; result.pairs (planar_pairs in the plane) has the order of `pairs`,
 /// unsupported ones included.
 ///
 /// Requires: `pairs` are of this scene, which outlives the result; the box as in shadow_meshes.

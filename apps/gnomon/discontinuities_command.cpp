@@ -60,8 +60,8 @@ Json surface_json(const DiscontinuityResult& result, const std::string& light, c
 
 Json discontinuities_json(const DiscontinuityResult& result) {
   Json document = {{"schema", "gnomon/discontinuities/1"},
-                   {"scene", result.scene->source},
-                   {"length_unit", result.scene->length_unit},
+                   {"scene", facts(*result.scene).source},
+                   {"length_unit", facts(*result.scene).length_unit},
                    {"clip_box", box_json(result.clip_box, 3)},
                    {"lights", Json::array()}};
   for (const SurfaceResult& light : result.surfaces) {

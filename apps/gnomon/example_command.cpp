@@ -9,6 +9,7 @@
 #include "apps/gnomon/commands.h"
 #include "apps/gnomon/console.h"
 #include "apps/gnomon/output_file.h"
+#include "apps/gnomon/shadow_summary.h"
 #include "apps/gnomon/text.h"
 #include "geometry/scene/file_text.h"
 #include "gnomon/scene.h"
@@ -64,7 +65,10 @@ bool is_scene(const std::string& file) {
 std::vector<std::string> needed_files(const std::string& file, const fs::path& folder) {
   std::vector<std::string> files;
   if (!is_scene(file)) return files;
-  for (const SceneBlocker& blocker : read_scene(folder / file).blockers) {
+  const Scene scene = read_scene(folder / file);
+  const auto* space = std::get_if<SpaceScene>(&scene);
+  if (!space) return files;
+  for (const SceneBlocker& blocker : space->blockers) {
     if (const auto* mesh = std::get_if<Mesh>(&blocker.shape)) files.push_back(mesh->file);
   }
   return files;
@@ -85,10 +89,8 @@ void print_list(const fs::path& folder) {
       continue;
     }
     const Scene scene = read_scene(folder / file);
-    const bool planar = scene.dimension == 2;
-    rows.push_back({name, counted(planar ? scene.planar_lights.size() : scene.lights.size(), "light") + ", " +
-                              counted(planar ? scene.planar_blockers.size() : scene.blockers.size(), "blocker") +
-                              (planar ? ", in the plane" : ", in space")});
+    const bool planar = std::holds_alternative<PlaneScene>(scene);
+    rows.push_back({name, lights_and_blockers(scene) + (planar ? ", in the plane" : ", in space")});
   }
   std::cout << aligned(rows, 0);
 }

@@ -82,7 +82,7 @@ ExitCode grid_command(Arguments arguments) {
   const Box3 box = clip_box(scene, options.box);
   const PointGrid grid = PointGrid::in_box(shape, box);
   if (!grid.has_distinct_points()) {
-    throw UsageError("--shape " + options.shape + ": in the box " + box_text(box, scene.dimension) +
+    throw UsageError("--shape " + options.shape + ": in the box " + box_text(box, dimension(scene)) +
                      " neighbouring points would fall together; expected fewer points, or a larger box");
   }
   write_grid(grid, grid_values(grid, finder, options), scene, options.out);

@@ -111,7 +111,7 @@ struct IrradianceOutputs {
   std::optional<IrradianceCsv> csv;
   std::optional<IrradianceJson> json;
 
-  IrradianceOutputs(const IrradianceOptions& options, const Scene& scene, const std::string& header,
+  IrradianceOutputs(const IrradianceOptions& options, const SpaceScene& scene, const std::string& header,
                     const std::vector<std::string>& lights) {
     if (!options.out.empty()) csv_file.emplace(options.out);
     if (csv_file || options.json != "-")
@@ -128,7 +128,7 @@ struct IrradianceOutputs {
   }
 };
 
-ExitCode write_irradiance(const IrradianceOptions& options, const Scene& scene, const PreparedObstacles& obstacles,
+ExitCode write_irradiance(const IrradianceOptions& options, const SpaceScene& scene, const PreparedObstacles& obstacles,
                           const Receivers& receivers) {
   const std::vector<const SceneLight*> chosen = chosen_lights(scene.lights, options.light);
   LightsOfWorkers lights(thread_count(options.threads));
@@ -174,8 +174,8 @@ ReceiverPoint lifted_point(const PreparedObstacles& obstacles, const PointRow& r
   return resting_point(obstacles, lift == 0 ? p : moved_along(p, n, lift), n);
 }
 
-ExitCode at_points(const IrradianceOptions& options, const Scene& scene) {
-  const PreparedObstacles obstacles(obstacles_of(scene));
+ExitCode at_points(const IrradianceOptions& options, const SpaceScene& scene) {
+  const PreparedObstacles obstacles(scene_bodies(scene).obstacles);
   const double lift = lift_of(options);
   return with_points(options.at, [&](std::istream& stream, const std::string& file) {
     PointTable table(stream, file, TableColumns::points_with_normals);
@@ -186,9 +186,9 @@ ExitCode at_points(const IrradianceOptions& options, const Scene& scene) {
   });
 }
 
-ExitCode on_receiver(const IrradianceOptions& options, const Scene& scene) {
+ExitCode on_receiver(const IrradianceOptions& options, const SpaceScene& scene) {
   require_receiver("--on", options.on, scene.receivers);
-  const PreparedObstacles obstacles(obstacles_of(scene));
+  const PreparedObstacles obstacles(scene_bodies(scene).obstacles);
   std::optional<std::array<std::uint32_t, 2>> shape;
   if (!options.shape.empty()) shape = whole_numbers<2>("--shape", options.shape, "nu,nv");
   ReceiverRows rows(scene, options.on, shape);
@@ -218,10 +218,7 @@ ExitCode irradiance_command(Arguments arguments) {
   if (options.out == "-") options.out.clear();
   if (options.at.empty() == options.on.empty()) throw UsageError("expected either --at POINTS.csv or --on RECEIVER");
   if (options.on.empty() && !options.shape.empty()) throw UsageError("--shape nu,nv goes with --on RECEIVER");
-  const Scene scene = scene_file_with_warnings(options.scene);
-  if (scene.dimension != 3) {
-    throw UnsupportedError(scene.source + ": irradiance in scenes of dimension 2 is not available in this version");
-  }
+  const SpaceScene scene = space_scene_with_warnings(options.scene, "irradiance");
   return options.on.empty() ? at_points(options, scene) : on_receiver(options, scene);
 }
 

@@ -106,7 +106,7 @@ void IrradianceCsv::add(const LitRow& lit) {
   stream_ << '\n';
 }
 
-IrradianceJson::IrradianceJson(std::ostream& stream, const Scene& scene, std::vector<std::string> lights,
+IrradianceJson::IrradianceJson(std::ostream& stream, const SpaceScene& scene, std::vector<std::string> lights,
                                const IrradianceLayout& layout)
     : stream_(stream), lights_(std::move(lights)), layout_(layout) {
   stream_ << "{\n  \"schema\": \"gnomon/irradiance/1\",\n  \"scene\": "

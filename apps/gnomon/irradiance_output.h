@@ -54,7 +54,7 @@ class IrradianceCsv {
 /// The result as JSON of schema gnomon/irradiance/1, point by point. What is infinite is null.
 class IrradianceJson {
  public:
-  IrradianceJson(std::ostream& stream, const Scene& scene, std::vector<std::string> lights,
+  IrradianceJson(std::ostream& stream, const SpaceScene& scene, std::vector<std::string> lights,
                  const IrradianceLayout& layout);
   void add(const LitRow& lit);
   void finish(const IrradianceSummaries& summaries, std::size_t malformed_lines);

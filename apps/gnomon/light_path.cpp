@@ -42,15 +42,21 @@ struct MovedLight {
   }
 };
 
-std::optional<std::vector<Point2>> moved_in_plane(const std::vector<Point2>& vertices, const Point3& place) {
-  std::vector<Point2> points;
-  for (const Point2& p : vertices) {
-    const Point3 q = moved({p.x, p.y, 0}, {vertices[0].x, vertices[0].y, 0}, {place.x, place.y, 0});
-    if (!is_finite(q)) return std::nullopt;
-    points.push_back({q.x, q.y});
+/// Moves a light; returns false where rounding would make it another shape.
+bool move_to(SceneLight& light, const Point3& place) {
+  auto shape = std::visit(MovedLight{place}, light.shape);
+  if (shape) light.shape = std::move(*shape);
+  return shape.has_value();
+}
+
+bool move_to(PlanarLight& light, const Point3& place) {
+  const Point2 first = light.vertices.front();
+  for (Point2& p : light.vertices) {
+    const Point3 q = moved({p.x, p.y, 0}, {first.x, first.y, 0}, {place.x, place.y, 0});
+    if (!is_finite(q)) return false;
+    p = {q.x, q.y};
   }
-  if (points.size() == 2 && points[0] == points[1]) return std::nullopt;
-  return points;
+  return light.vertices.size() == 1 || light.vertices[0] != light.vertices[1];
 }
 
 [[noreturn]] void refuse(const std::string& file, std::size_t line, const std::string& light) {
@@ -78,18 +84,12 @@ std::vector<PathPlace> read_light_path(const std::string& file, int dimension) {
 
 Scene with_light_at(const Scene& scene, const std::string& light, const PathPlace& place, const std::string& file) {
   Scene result = scene;
-  for (PlanarLight& candidate : result.planar_lights) {
-    if (candidate.name != light) continue;
-    auto points = moved_in_plane(candidate.vertices, place.position);
-    if (!points) refuse(file, place.line, light);
-    candidate.vertices = std::move(*points);
-  }
-  for (SceneLight& candidate : result.lights) {
-    if (candidate.name != light) continue;
-    auto shape = std::visit(MovedLight{place.position}, candidate.shape);
-    if (!shape) refuse(file, place.line, light);
-    candidate.shape = std::move(*shape);
-  }
+  const auto move_light = [&](auto& some) {
+    for (auto& candidate : some.lights) {
+      if (candidate.name == light && !move_to(candidate, place.position)) refuse(file, place.line, light);
+    }
+  };
+  std::visit(move_light, result);
   return result;
 }
 

@@ -28,7 +28,7 @@ std::vector<PartPairs> pairs_to_merge(const std::vector<ScenePair>& pairs) {
   return result;
 }
 
-MergedResult merged(const Scene& scene, PartPairs pairs, const Box3& clip_box, Progress& progress) {
+MergedResult merged(const SpaceScene& scene, PartPairs pairs, const Box3& clip_box, Progress& progress) {
   std::vector<ConvexBlocker> parts;
   for (const ScenePair& pair : pairs) parts.push_back(pair.shadow->blocker());
   const ScenePair& first = pairs.front();
@@ -43,8 +43,8 @@ MergedResult merged(const Scene& scene, PartPairs pairs, const Box3& clip_box, P
 
 }  // namespace
 
-std::vector<MergedResult> merged_shadows(const Scene& scene, const std::vector<ScenePair>& pairs, const Box3& clip_box,
-                                         const Effort& effort) {
+std::vector<MergedResult> merged_shadows(const SpaceScene& scene, const std::vector<ScenePair>& pairs,
+                                         const Box3& clip_box, const Effort& effort) {
   const std::vector<PartPairs> blockers = pairs_to_merge(pairs);
   std::size_t part_count = 0;
   for (const PartPairs parts : blockers) part_count += parts.size();

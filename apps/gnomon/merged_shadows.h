@@ -12,7 +12,7 @@ namespace gnomon {
 /// not supported is left out.
 ///
 /// Requires: `pairs` are of this scene, of dimension 3, in the order of scene_pairs; the box as in shadow_meshes.
-std::vector<MergedResult> merged_shadows(const Scene& scene, const std::vector<ScenePair>& pairs, const Box3& clip_box,
-                                         const Effort& effort);
+std::vector<MergedResult> merged_shadows(const SpaceScene& scene, const std::vector<ScenePair>& pairs,
+                                         const Box3& clip_box, const Effort& effort);
 
 }  // namespace gnomon

@@ -57,7 +57,7 @@ void add_options(CommandLine& app, RadianceOptions& options) {
 }
 
 /// The material that was asked for.
-const SceneMaterial& chosen_material(const RadianceOptions& options, const Scene& scene) {
+const SceneMaterial& chosen_material(const RadianceOptions& options, const SpaceScene& scene) {
   static const SceneMaterial grey{"", {}};
   if (options.material.empty()) {
     if (scene.materials.size() > 1) throw UsageError("the scene has several materials: name one with --material NAME");
@@ -134,7 +134,7 @@ struct RadianceOutputs {
   std::optional<RadianceCsv> csv;
   std::optional<RadianceJson> json;
 
-  RadianceOutputs(const RadianceOptions& options, const Scene& scene, const std::string& header,
+  RadianceOutputs(const RadianceOptions& options, const SpaceScene& scene, const std::string& header,
                   const SceneMaterial& material, const std::vector<const SceneLight*>& lights) {
     std::vector<std::string> names;
     bool coloured = !is_grey(material.material.diffuse) || !is_grey(material.material.specular) ||
@@ -162,9 +162,9 @@ struct RadianceOutputs {
   }
 };
 
-ExitCode write_radiance(const RadianceOptions& options, const Scene& scene, PointTable& table, const std::string& file,
-                        const std::function<double()>& share) {
-  const PreparedObstacles obstacles(obstacles_of(scene));
+ExitCode write_radiance(const RadianceOptions& options, const SpaceScene& scene, PointTable& table,
+                        const std::string& file, const std::function<double()>& share) {
+  const PreparedObstacles obstacles(scene_bodies(scene).obstacles);
   const SceneMaterial& material = chosen_material(options, scene);
   const Question question{chosen_lights(scene.lights, options.light), material.material,
                           *length_unit_named(scene.length_unit),
@@ -208,10 +208,7 @@ ExitCode radiance_command(Arguments arguments) {
   require_table_places(options.out, options.json);
   if (options.out == "-") options.out.clear();
   if (options.at.empty()) throw UsageError("expected --at VIEWS.csv");
-  const Scene scene = scene_file_with_warnings(options.scene);
-  if (scene.dimension != 3) {
-    throw UnsupportedError(scene.source + ": radiance in scenes of dimension 2 is not available in this version");
-  }
+  const SpaceScene scene = space_scene_with_warnings(options.scene, "radiance");
   return with_points(options.at, [&](std::istream& stream, const std::string& file) {
     PointTable table(stream, file, TableColumns::views);
     return write_radiance(options, scene, table, file, [&] { return share_read(stream, options.at); });

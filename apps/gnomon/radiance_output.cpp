@@ -77,7 +77,7 @@ void RadianceCsv::add(const SeenRow& seen) {
   add_line(row->text, "total", seen.total());
 }
 
-RadianceJson::RadianceJson(std::ostream& stream, const Scene& scene, const std::string& material,
+RadianceJson::RadianceJson(std::ostream& stream, const SpaceScene& scene, const std::string& material,
                            std::vector<std::string> lights)
     : stream_(stream), lights_(std::move(lights)) {
   const auto quoted = [](const std::string& text) {

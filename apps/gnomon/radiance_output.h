@@ -37,7 +37,8 @@ class RadianceCsv {
 /// The result as JSON of schema gnomon/radiance/1, point by point, of three colours. What is infinite is null.
 class RadianceJson {
  public:
-  RadianceJson(std::ostream& stream, const Scene& scene, const std::string& material, std::vector<std::string> lights);
+  RadianceJson(std::ostream& stream, const SpaceScene& scene, const std::string& material,
+               std::vector<std::string> lights);
   void add(const SeenRow& seen);
   void finish(std::size_t points, std::size_t malformed_lines);
 

@@ -154,9 +154,9 @@ MeshParts mesh_parts(const std::string& list) {
 
 nlohmann::ordered_json receivers_json(const DiscontinuityResult& result, const MeshParts& parts) {
   MeshJson document = {{"schema", "gnomon/receivers/1"},
-                       {"scene", result.scene->source},
-                       {"length_unit", result.scene->length_unit},
-                       {"area_unit", result.scene->length_unit + "^2"},
+                       {"scene", facts(*result.scene).source},
+                       {"length_unit", facts(*result.scene).length_unit},
+                       {"area_unit", facts(*result.scene).length_unit + "^2"},
                        {"receivers", MeshJson::array()}};
   for (const SideResult side : sides_of(result.receivers)) {
     document["receivers"].push_back(side_json(side));

@@ -44,7 +44,7 @@ std::vector<std::uint32_t> OwnBlockers::of(const ConvexPolygon& facet) const {
   return common;
 }
 
-ReceiverRows::ReceiverRows(const Scene& scene, const std::string& name,
+ReceiverRows::ReceiverRows(const SpaceScene& scene, const std::string& name,
                            const std::optional<std::array<std::uint32_t, 2>>& shape)
     : shape_(shape), cells_(shape ? std::size_t{(*shape)[0]} * (*shape)[1] : 1) {
   for (const SceneReceiver& receiver : scene.receivers) {

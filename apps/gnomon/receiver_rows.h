@@ -33,7 +33,8 @@ class ReceiverRows {
   /// `shape` tells the number of points of a ReceiverGrid on each facet; without one a facet has one point, the mean of
   /// its corners. The scene outlives the rows.
   /// Requires: the scene has a receiver that is called so.
-  ReceiverRows(const Scene& scene, const std::string& name, const std::optional<std::array<std::uint32_t, 2>>& shape);
+  ReceiverRows(const SpaceScene& scene, const std::string& name,
+               const std::optional<std::array<std::uint32_t, 2>>& shape);
 
   /// x,y,z,nx,ny,nz, and of several facets their names.
   std::string header() const;

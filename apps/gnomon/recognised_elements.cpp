@@ -89,19 +89,20 @@ RecognisedElement recognised(ReceiverGroup receiver) {
   return element;
 }
 
-std::vector<RecognisedElement> recognised_receivers(const Scene& scene) {
+/// A receiver of the file may be several facets.
+std::vector<RecognisedElement> recognised(const std::vector<SceneReceiver>& receivers) {
   std::vector<RecognisedElement> list;
-  for (const ReceiverGroup receiver : receiver_elements(scene.receivers)) list.push_back(recognised(receiver));
+  for (const ReceiverGroup receiver : receiver_elements(receivers)) list.push_back(recognised(receiver));
   return list;
 }
 
 }  // namespace
 
 RecognisedElements recognised_elements(const Scene& scene) {
-  if (scene.dimension == 2) {
-    return {recognised(scene.planar_lights), recognised(scene.planar_blockers), recognised(scene.planar_receivers)};
-  }
-  return {recognised(scene.lights), recognised(scene.blockers), recognised_receivers(scene)};
+  const auto of_lists = [](const auto& some) -> RecognisedElements {
+    return {recognised(some.lights), recognised(some.blockers), recognised(some.receivers)};
+  };
+  return std::visit(of_lists, scene);
 }
 
 }  // namespace gnomon

@@ -34,7 +34,7 @@ struct RecognisedElements {
   std::vector<RecognisedElement> receivers;
 };
 
-/// Every element of a scene, in file order, in either dimension.
+/// Every element of a scene, in file order.
 RecognisedElements recognised_elements(const Scene& scene);
 
 }  // namespace gnomon

@@ -10,12 +10,12 @@
 namespace gnomon {
 namespace {
 
-RegionFinder spatial_finder(const Scene& scene, const std::string& light, unsigned threads) {
+RegionFinder finder_of(const SpaceScene& scene, const std::string& light, unsigned threads) {
   const std::vector<const SceneLight*> lights = chosen_lights(scene.lights, light);
   RegionFinder finder;
   finder.threads = threads;
   for (const SceneLight* l : lights) finder.lights.push_back(l->name);
-  const PreparedObstacles obstacles(obstacles_of(scene));
+  const PreparedObstacles obstacles(scene_bodies(scene).obstacles);
   const auto of_workers = std::make_shared<std::vector<std::vector<LightVisibility>>>(threads);
   for (std::vector<LightVisibility>& own : *of_workers) {
     for (const SceneLight* l : lights) own.emplace_back(l->shape, obstacles);
@@ -44,11 +44,11 @@ Visibility visibility_in_plane(const planar::Sight& sight, const Point2& p) {
   return {seen.region, fraction.value, fraction.error};
 }
 
-RegionFinder planar_finder(const Scene& scene, const std::string& light, unsigned threads) {
+RegionFinder finder_of(const PlaneScene& scene, const std::string& light, unsigned threads) {
   const auto sights = std::make_shared<std::vector<planar::Sight>>();
   RegionFinder finder;
   finder.threads = threads;
-  for (const PlanarLight* l : chosen_lights(scene.planar_lights, light)) {
+  for (const PlanarLight* l : chosen_lights(scene.lights, light)) {
     finder.lights.push_back(l->name);
     sights->push_back(planar_sight(scene, *l));
   }
@@ -63,8 +63,7 @@ RegionFinder planar_finder(const Scene& scene, const std::string& light, unsigne
 }  // namespace
 
 RegionFinder region_finder(const Scene& scene, const std::string& light, unsigned threads) {
-  if (scene.dimension == 3) return spatial_finder(scene, light, thread_count(threads));
-  return planar_finder(scene, light, thread_count(threads));
+  return std::visit([&](const auto& some) { return finder_of(some, light, thread_count(threads)); }, scene);
 }
 
 }  // namespace gnomon

@@ -66,7 +66,8 @@ std::vector<JudgedRow> judged_batch(PointTable& table, const RegionFinder& finde
 }
 
 TableColumns columns_of(const Scene& scene) {
-  return scene.dimension == 2 ? TableColumns::planar_points : TableColumns::points_perhaps_with_normals;
+  return std::holds_alternative<PlaneScene>(scene) ? TableColumns::planar_points
+                                                   : TableColumns::points_perhaps_with_normals;
 }
 
 void warn_of_rounding(std::size_t within, std::size_t points) {

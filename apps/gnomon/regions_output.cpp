@@ -71,10 +71,10 @@ void RegionsCsv::add(const JudgedRow& judged) {
 }
 
 RegionsJson::RegionsJson(std::ostream& stream, const Scene& scene, std::vector<std::string> lights, PointKind kind)
-    : stream_(stream), lights_(std::move(lights)), dimension_(scene.dimension), kind_(kind) {
+    : stream_(stream), lights_(std::move(lights)), dimension_(dimension(scene)), kind_(kind) {
   stream_ << "{\n  \"schema\": \"gnomon/regions/1\",\n  \"scene\": "
-          << Json(scene.source).dump(-1, ' ', false, Json::error_handler_t::replace)
-          << ",\n  \"dimension\": " << dimension_ << ",\n  \"length_unit\": " << Json(scene.length_unit).dump()
+          << Json(facts(scene).source).dump(-1, ' ', false, Json::error_handler_t::replace)
+          << ",\n  \"dimension\": " << dimension_ << ",\n  \"length_unit\": " << Json(facts(scene).length_unit).dump()
           << ",\n  \"points\": [";
 }
 

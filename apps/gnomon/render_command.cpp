@@ -181,14 +181,15 @@ ExitCode render_folder(const RenderOptions& options, const PictureOptions& pictu
 /// The light of the picture; empty for all, which only a page can show.
 std::string shown_light(const RenderOptions& options, const Scene& scene) {
   if (!options.light.empty() || picture_format(options.out) == PictureFormat::html) return options.light;
-  if (scene.dimension == 2) return scene.planar_lights.empty() ? "" : scene.planar_lights.front().name;
-  return scene.lights.empty() ? "" : scene.lights.front().name;
+  const auto first = [](const auto& some) { return some.lights.empty() ? "" : some.lights.front().name; };
+  return std::visit(first, scene);
 }
 
 /// Parts of one blocker hide each other, and their umbrae are not the umbra of the whole.
 std::vector<ScenePair> drawn_pairs(const RenderOptions& options, const Scene& scene, std::vector<ScenePair> pairs) {
-  if (scene.dimension == 2 || options.volumes) return pairs;
-  std::erase_if(pairs, [&](const ScenePair& pair) { return pair.blocker != scene.blockers[pair.blocker_index].name; });
+  const auto* space = std::get_if<SpaceScene>(&scene);
+  if (!space || options.volumes) return pairs;
+  std::erase_if(pairs, [&](const ScenePair& p) { return p.blocker != space->blockers[p.blocker_index].name; });
   return pairs;
 }
 
@@ -204,7 +205,7 @@ void warn_of_missing(const std::vector<ScenePair>& all, const std::vector<SceneP
 
 ExitCode render_scene_file(const RenderOptions& options, const PictureOptions& picture) {
   const Scene scene = scene_file_with_warnings(options.scene);
-  check_dimension(options, scene.dimension);
+  check_dimension(options, dimension(scene));
   const std::string light = shown_light(options, scene);
   const std::vector<ScenePair> all = scene_pairs(scene, {light, options.blocker});
   const std::vector<ScenePair> pairs = drawn_pairs(options, scene, all);
@@ -212,7 +213,7 @@ ExitCode render_scene_file(const RenderOptions& options, const PictureOptions& p
   const Effort effort{options.threads, !options.quiet};
   std::vector<ReceiverResult> receivers = receivers_beside_volumes(scene, {light, options.receiver}, effort);
   if (!pairs.empty() && supported_count(pairs) == 0 && receivers.empty()) {
-    throw UnsupportedError(scene.source + ": " + unsupported_text(pairs));
+    throw UnsupportedError(facts(scene).source + ": " + unsupported_text(pairs));
   }
   ShadowResult result = computed_shadows(scene, pairs, box, effort);
   result.receivers = std::move(receivers);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <utility>
+#include <variant>
 
 #include "apps/gnomon/console.h"
 #include "apps/gnomon/element_choice.h"
@@ -17,13 +18,10 @@
 namespace gnomon {
 namespace {
 
-/// A scene as the geometry takes it.
-struct Parts {
-  std::vector<ConvexBlocker> blockers;
-  std::vector<ClosedSurface> enclosures;
-  std::vector<ConvexPolygon> receivers;     ///< the flat ones
-  std::vector<std::uint32_t> receiver_ids;  ///< of each, its index in Scene::receivers
-};
+const SpaceScene& space_of(const Scene& scene) {
+  if (const auto* space = std::get_if<SpaceScene>(&scene)) return *space;
+  throw UnsupportedError("discontinuities on receivers need a scene of dimension 3");
+}
 
 std::string range_refusal(const std::string& element, std::span<const Point3> points) {
   if (std::all_of(points.begin(), points.end(), is_in_event_range)) return {};
@@ -33,7 +31,7 @@ std::string range_refusal(const std::string& element, std::span<const Point3> po
 }
 
 /// Why the scene's numbers are not supported; empty if they are.
-std::string range_refusal(const Scene& scene) {
+std::string range_refusal(const SpaceScene& scene) {
   std::string refusal;
   const auto look = [&](const std::string& element, std::span<const Point3> points) {
     if (refusal.empty()) refusal = range_refusal(element, points);
@@ -53,31 +51,12 @@ std::string range_refusal(const Scene& scene) {
   return refusal;
 }
 
-Parts parts_of(const Scene& scene, DiscontinuityResult& result) {
-  if (scene.dimension != 3) throw UnsupportedError("discontinuities on receivers need a scene of dimension 3");
-  Parts parts;
-  for (std::uint32_t b = 0; b < scene.blockers.size(); ++b) {
-    for (ConvexPart& part : convex_parts(scene.blockers[b])) {
-      parts.blockers.push_back(std::move(part.shape));
-      result.blockers.push_back(std::move(part.name));
-      result.blocker_ids.push_back(b);
-    }
-    if (auto space = enclosed_space(scene.blockers[b])) parts.enclosures.push_back(std::move(*space));
-  }
-  for (std::uint32_t r = 0; r < scene.receivers.size(); ++r) {
-    if (!scene.receivers[r].shape.is_flat()) continue;
-    parts.receivers.push_back(scene.receivers[r].shape);
-    parts.receiver_ids.push_back(r);
-  }
-  return parts;
-}
-
 /// Why a light is not supported; empty if it is.
-std::string refusal(const SceneLight& light, const Parts& parts) {
+std::string refusal(const SceneLight& light, const SceneBodies& bodies) {
   const auto* area = std::get_if<AreaLight>(&light.shape);
   if (area && !area->polygon.is_flat()) return "its vertices are not exactly coplanar";
   for (const Point3& p : light_points(light.shape)) {
-    for (const ClosedSurface& surface : parts.enclosures) {
+    for (const ClosedSurface& surface : bodies.obstacles.enclosures) {
       if (is_strictly_inside(p, surface)) return "it lies inside a closed mesh";
     }
   }
@@ -90,13 +69,13 @@ struct LightChoice {
   std::string reasons;
 };
 
-LightChoice light_choice(const Scene& scene, const std::string& name, const Parts& parts) {
+LightChoice light_choice(const SpaceScene& scene, const std::string& name, const SceneBodies& bodies) {
   require_name("--light", "light", name, scene.lights);
   LightChoice choice;
   for (std::uint32_t l = 0; l < scene.lights.size(); ++l) {
     const SceneLight& light = scene.lights[l];
     if (!is_asked_for(name, light.name)) continue;
-    const std::string reason = refusal(light, parts);
+    const std::string reason = refusal(light, bodies);
     if (reason.empty()) {
       choice.supported.push_back(l);
     } else {
@@ -107,8 +86,9 @@ LightChoice light_choice(const Scene& scene, const std::string& name, const Part
 }
 
 /// The lights asked for that are supported; the others are warned of.
-std::vector<std::uint32_t> supported_lights(const Scene& scene, const std::string& name, const Parts& parts) {
-  LightChoice choice = light_choice(scene, name, parts);
+std::vector<std::uint32_t> supported_lights(const SpaceScene& scene, const std::string& name,
+                                            const SceneBodies& bodies) {
+  LightChoice choice = light_choice(scene, name, bodies);
   if (choice.supported.empty() && !choice.reasons.empty()) throw UnsupportedError(scene.source + ": " + choice.reasons);
   if (!choice.reasons.empty()) print_warning(choice.reasons);
   return std::move(choice.supported);
@@ -118,8 +98,13 @@ bool is_chosen(const SceneReceiver& receiver, const std::string& name) {
   return name.empty() || receiver.is_called(name);
 }
 
-/// Warns of the receivers asked for that parts_of leaves out.
-void warn_of_rounded(const Scene& scene, const std::string& asked_for) {
+/// Asked for and flat.
+bool is_divided(const SceneReceiver& receiver, const std::string& name) {
+  return is_chosen(receiver, name) && receiver.shape.is_flat();
+}
+
+/// Warns of the receivers asked for that are not flat.
+void warn_of_rounded(const SpaceScene& scene, const std::string& asked_for) {
   for (const SceneReceiver& receiver : scene.receivers) {
     if (receiver.shape.is_flat() || !is_chosen(receiver, asked_for)) continue;
     print_warning("receiver '" + receiver.name + "' is left out: its vertices are not exactly coplanar");
@@ -127,53 +112,49 @@ void warn_of_rounded(const Scene& scene, const std::string& asked_for) {
 }
 
 /// Why nothing that is asked for can be divided; empty if something can.
-std::string division_refusal(const Scene& scene, const ReceiverSelection& selection) {
+std::string division_refusal(const SpaceScene& scene, const SceneBodies& bodies, const ReceiverSelection& selection) {
   const std::string range = range_refusal(scene);
   if (!range.empty()) return range;
-  DiscontinuityResult unused{&scene, {}, {}, {}};
-  const LightChoice choice = light_choice(scene, selection.light, parts_of(scene, unused));
+  const LightChoice choice = light_choice(scene, selection.light, bodies);
   if (choice.supported.empty() && !choice.reasons.empty()) return choice.reasons;
-  const bool any = std::any_of(scene.receivers.begin(), scene.receivers.end(), [&](const SceneReceiver& receiver) {
-    return is_chosen(receiver, selection.receiver) && receiver.shape.is_flat();
-  });
+  const bool any = std::any_of(scene.receivers.begin(), scene.receivers.end(),
+                               [&](const SceneReceiver& receiver) { return is_divided(receiver, selection.receiver); });
   return any ? "" : "no receiver asked for has exactly coplanar vertices";
 }
 
-}  // namespace
-
-DiscontinuityResult divided_receivers(const Scene& scene, const ReceiverSelection& selection, VertexFractions fractions,
-                                      const Effort& effort) {
+DiscontinuityResult divided_receivers(const Scene& scene, const SceneBodies& bodies, const ReceiverSelection& selection,
+                                      VertexFractions fractions, const Effort& effort) {
   using enum Progress::Visibility;
-  DiscontinuityResult result{&scene, {}, {}, {}};
-  const Parts parts = parts_of(scene, result);
-  if (const std::string refusal = range_refusal(scene); !refusal.empty()) {
-    throw UnsupportedError(scene.source + ": " + refusal);
+  const SpaceScene& space = space_of(scene);
+  if (const std::string refusal = range_refusal(space); !refusal.empty()) {
+    throw UnsupportedError(space.source + ": " + refusal);
   }
-  require_receiver("--receiver", selection.receiver, scene.receivers);
-  const std::vector<std::uint32_t> lights = supported_lights(scene, selection.light, parts);
-  warn_of_rounded(scene, selection.receiver);
-  std::vector<std::uint32_t> chosen;
-  for (std::uint32_t r = 0; r < parts.receivers.size(); ++r) {
-    if (is_chosen(scene.receivers[parts.receiver_ids[r]], selection.receiver)) chosen.push_back(r);
-  }
-  if (chosen.empty() && !scene.receivers.empty()) {
-    throw UnsupportedError(scene.source + ": no receiver asked for has exactly coplanar vertices");
-  }
+  require_receiver("--receiver", selection.receiver, space.receivers);
+  const std::vector<std::uint32_t> lights = supported_lights(space, selection.light, bodies);
+  warn_of_rounded(space, selection.receiver);
   std::vector<ConvexPolygon> receivers;
-  for (const std::uint32_t r : chosen) receivers.push_back(parts.receivers[r]);
-  Progress progress("receiver", lights.size() * chosen.size(), effort.shows_progress ? automatic : hidden);
+  std::vector<std::uint32_t> ids;
+  for (std::uint32_t r = 0; r < space.receivers.size(); ++r) {
+    if (!is_divided(space.receivers[r], selection.receiver)) continue;
+    receivers.push_back(space.receivers[r].shape);
+    ids.push_back(r);
+  }
+  if (ids.empty() && !space.receivers.empty()) {
+    throw UnsupportedError(space.source + ": no receiver asked for has exactly coplanar vertices");
+  }
+  DiscontinuityResult result{&scene, {}, bodies.names, bodies.blocker_ids};
+  Progress progress("receiver", lights.size() * ids.size(), effort.shows_progress ? automatic : hidden);
   // Receivers are shared among threads, and few receivers each among several.
   const unsigned threads = thread_count(effort.threads);
-  const unsigned for_each = std::max(1U, threads / static_cast<unsigned>(std::max<std::size_t>(1, chosen.size())));
+  const unsigned for_each = std::max(1U, threads / static_cast<unsigned>(std::max<std::size_t>(1, ids.size())));
   for (const std::uint32_t l : lights) {
-    const ReceiverDivision division(scene.lights[l].shape, parts.blockers, receivers, threads);
-    std::vector<std::optional<ReceiverResult>> made(chosen.size());
-    for_all(chosen.size(), threads, [&](std::size_t i, std::size_t) {
+    const ReceiverDivision division(space.lights[l].shape, bodies.obstacles.blockers, receivers, threads);
+    std::vector<std::optional<ReceiverResult>> made(ids.size());
+    for_all(ids.size(), threads, [&](std::size_t i, std::size_t) {
       const auto r = static_cast<std::uint32_t>(i);
-      const std::uint32_t id = parts.receiver_ids[chosen[i]];
-      const SceneReceiver& receiver = scene.receivers[id];
+      const SceneReceiver& receiver = space.receivers[ids[i]];
       made[i] =
-          ReceiverResult{l, id, scene.lights[l].name, receiver.name, division.mesh(r, for_each), {}, receiver.side};
+          ReceiverResult{l, ids[i], space.lights[l].name, receiver.name, division.mesh(r, for_each), {}, receiver.side};
       if (fractions == VertexFractions::worked_out) {
         made[i]->visible_fractions = division.visible_fractions(r, made[i]->mesh, for_each);
       }
@@ -184,33 +165,45 @@ DiscontinuityResult divided_receivers(const Scene& scene, const ReceiverSelectio
   return result;
 }
 
+}  // namespace
+
+DiscontinuityResult divided_receivers(const Scene& scene, const ReceiverSelection& selection, VertexFractions fractions,
+                                      const Effort& effort) {
+  return divided_receivers(scene, scene_bodies(space_of(scene)), selection, fractions, effort);
+}
+
 std::vector<ReceiverResult> receivers_beside_volumes(const Scene& scene, const ReceiverSelection& selection,
                                                      const Effort& effort) {
-  require_receiver("--receiver", selection.receiver, scene.receivers);
-  if (scene.dimension != 3 || scene.receivers.empty() || scene.lights.empty()) return {};
-  if (const std::string refusal = division_refusal(scene, selection); !refusal.empty()) {
+  const auto* space = std::get_if<SpaceScene>(&scene);
+  require_receiver("--receiver", selection.receiver, space ? space->receivers : std::vector<SceneReceiver>{});
+  if (!space || space->receivers.empty() || space->lights.empty()) return {};
+  const SceneBodies bodies = scene_bodies(*space);
+  if (const std::string refusal = division_refusal(*space, bodies, selection); !refusal.empty()) {
     print_warning("receivers are not divided into regions: " + refusal);
     return {};
   }
-  return divided_receivers(scene, selection, VertexFractions::left_out, effort).receivers;
+  return divided_receivers(scene, bodies, selection, VertexFractions::left_out, effort).receivers;
 }
 
 DiscontinuityResult scene_surfaces(const Scene& scene, const std::string& light, const Box3& box,
                                    const Effort& effort) {
   using enum Progress::Visibility;
-  DiscontinuityResult result{&scene, box, {}, {}};
-  const Parts parts = parts_of(scene, result);
-  const std::vector<std::uint32_t> lights = supported_lights(scene, light, parts);
-  warn_of_rounded(scene, {});
+  const SpaceScene& space = space_of(scene);
+  const SceneBodies bodies = scene_bodies(space);
+  const std::vector<std::uint32_t> lights = supported_lights(space, light, bodies);
+  warn_of_rounded(space, {});
+  std::vector<ConvexPolygon> receivers;
+  for (const SceneReceiver& receiver : space.receivers) {
+    if (is_divided(receiver, {})) receivers.push_back(receiver.shape);
+  }
   Progress progress("light", lights.size(), effort.shows_progress ? automatic : hidden);
   std::vector<SurfaceResult> made(lights.size());
   for_all(lights.size(), thread_count(effort.threads), [&](std::size_t i, std::size_t) {
-    const SceneLight& l = scene.lights[lights[i]];
-    made[i] = {lights[i], l.name, discontinuity_surfaces(l.shape, parts.blockers, parts.receivers, box)};
+    const SceneLight& l = space.lights[lights[i]];
+    made[i] = {lights[i], l.name, discontinuity_surfaces(l.shape, bodies.obstacles.blockers, receivers, box)};
     progress.step();
   });
-  result.surfaces = std::move(made);
-  return result;
+  return {&scene, box, bodies.names, bodies.blocker_ids, {}, std::move(made)};
 }
 
 }  // namespace gnomon

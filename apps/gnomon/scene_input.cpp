@@ -59,13 +59,19 @@ Scene scene_file_with_warnings(const std::string& file) {
   return scene;
 }
 
+SpaceScene space_scene_with_warnings(const std::string& file, const std::string& subject) {
+  Scene scene = scene_file_with_warnings(file);
+  if (auto* space = std::get_if<SpaceScene>(&scene)) return std::move(*space);
+  throw UnsupportedError(facts(scene).source + ": " + subject +
+                         " in scenes of dimension 2 is not available in this version");
+}
+
 void print_doubts(const Scene& scene) {
   constexpr std::size_t most = 10;
-  for (std::size_t i = 0; i < std::min(most, scene.doubts.size()); ++i) {
-    print_warning(scene.source + ": " + scene.doubts[i]);
-  }
-  if (scene.doubts.size() <= most) return;
-  print_warning(counted(scene.doubts.size() - most, "further doubt") + ", which 'gnomon check' tells");
+  const auto& [source, unit, doubts] = facts(scene);
+  for (std::size_t i = 0; i < std::min(most, doubts.size()); ++i) print_warning(source + ": " + doubts[i]);
+  if (doubts.size() <= most) return;
+  print_warning(counted(doubts.size() - most, "further doubt") + ", which 'gnomon check' tells");
 }
 
 }  // namespace gnomon

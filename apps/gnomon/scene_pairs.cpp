@@ -92,12 +92,11 @@ std::vector<ScenePair> selected_pairs(const std::vector<SomeLight>& lights, cons
 }  // namespace
 
 std::vector<ScenePair> scene_pairs(const Scene& scene, const PairSelection& selection) {
-  if (scene.dimension == 2) return selected_pairs(scene.planar_lights, scene.planar_blockers, selection);
-  return selected_pairs(scene.lights, scene.blockers, selection);
+  return std::visit([&](const auto& some) { return selected_pairs(some.lights, some.blockers, selection); }, scene);
 }
 
-planar::Pair planar_pair(const Scene& scene, const ScenePair& pair) {
-  return planar_pair(scene.planar_lights[pair.light_index], scene.planar_blockers[pair.blocker_index], pair.part);
+planar::Pair planar_pair(const PlaneScene& scene, const ScenePair& pair) {
+  return planar_pair(scene.lights[pair.light_index], scene.blockers[pair.blocker_index], pair.part);
 }
 
 std::size_t supported_count(const std::vector<ScenePair>& pairs) {

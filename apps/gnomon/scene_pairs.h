@@ -14,8 +14,8 @@ namespace gnomon {
 
 /// One light and one blocker of a scene, and whether this version computes their shadow.
 struct ScenePair {
-  std::size_t light_index = 0;    ///< into Scene::lights (planar_lights in dimension 2)
-  std::size_t blocker_index = 0;  ///< into Scene::blockers (planar_blockers in dimension 2)
+  std::size_t light_index = 0;    ///< into the scene's lights
+  std::size_t blocker_index = 0;  ///< into the scene's blockers
   std::size_t part = 0;  ///< of the blocker: a convex part, or a polyline's segment from vertex `part` to the next
   std::string light;
   std::string blocker;                       ///< part k of a polyline is named `fence#k`, of a mesh `vase#k`
@@ -39,8 +39,8 @@ struct PairSelection {
 /// Throws: UsageError for a name that the scene does not have.
 std::vector<ScenePair> scene_pairs(const Scene& scene, const PairSelection& selection);
 
-/// The light and the segment of a pair of a scene of dimension 2.
-planar::Pair planar_pair(const Scene& scene, const ScenePair& pair);
+/// The light and the segment of a pair of a scene of the plane.
+planar::Pair planar_pair(const PlaneScene& scene, const ScenePair& pair);
 
 /// Number of pairs that are supported.
 std::size_t supported_count(const std::vector<ScenePair>& pairs);

@@ -72,48 +72,52 @@ struct BlockerKeys {
   Json operator()(const Mesh&) const { throw PreconditionError("a mesh is a file of its own"); }
 };
 
-Json named(const std::string& name, const Json& keys) {
-  Json element{{"name", name}};
-  element.update(keys);
-  return element;
+Json keys(const SceneLight& light) {
+  return std::visit(LightKeys{light.strength}, light.shape);
 }
 
-Json planar_light(const PlanarLight& light) {
+Json keys(const SceneBlocker& blocker) {
+  return std::visit(BlockerKeys{}, blocker.shape);
+}
+
+Json keys(const SceneReceiver& receiver) {
+  return BlockerKeys{}(receiver.shape);
+}
+
+Json keys(const PlanarLight& light) {
   if (light.vertices.size() == 1) {
     return {{"shape", "point"}, {"position", numbers(light.vertices.front())}, {"intensity", light.strength}};
   }
   return {{"shape", "segment"}, {"vertices", vertices(light.vertices)}, {"intensity_per_length", light.strength}};
 }
 
-Json planar_chain(const PlanarBlocker& chain) {
+Json keys(const PlanarBlocker& chain) {
   return {{"shape", chain.vertices.size() == 2 ? "segment" : "polyline"}, {"vertices", vertices(chain.vertices)}};
+}
+
+template <class Element>
+Json elements(const std::vector<Element>& list) {
+  Json json = Json::array();
+  for (const Element& element : list) {
+    json.push_back(Json{{"name", element.name}});
+    json.back().update(keys(element));
+  }
+  return json;
 }
 
 }  // namespace
 
 Json scene_document(const Scene& scene) {
-  Json lights = Json::array(), blockers = Json::array(), receivers = Json::array();
-  for (const SceneLight& light : scene.lights) {
-    lights.push_back(named(light.name, std::visit(LightKeys{light.strength}, light.shape)));
-  }
-  for (const PlanarLight& light : scene.planar_lights) lights.push_back(named(light.name, planar_light(light)));
-  for (const SceneBlocker& blocker : scene.blockers) {
-    blockers.push_back(named(blocker.name, std::visit(BlockerKeys{}, blocker.shape)));
-  }
-  for (const PlanarBlocker& blocker : scene.planar_blockers) {
-    blockers.push_back(named(blocker.name, planar_chain(blocker)));
-  }
-  for (const SceneReceiver& receiver : scene.receivers) {
-    receivers.push_back(named(receiver.name, BlockerKeys{}(receiver.shape)));
-  }
-  for (const PlanarBlocker& receiver : scene.planar_receivers) {
-    receivers.push_back(named(receiver.name, planar_chain(receiver)));
-  }
-  nlohmann::ordered_json document = {{"gnomon", 1}, {"dimension", scene.dimension}, {"length_unit", scene.length_unit}};
-  if (scene.up == UpAxis::y) document["up"] = "y";
-  document["lights"] = lights;
-  document["blockers"] = blockers;
-  document["receivers"] = receivers;
+  const auto* space = std::get_if<SpaceScene>(&scene);
+  nlohmann::ordered_json document = {
+      {"gnomon", 1}, {"dimension", dimension(scene)}, {"length_unit", facts(scene).length_unit}};
+  if (space && space->up == UpAxis::y) document["up"] = "y";
+  const auto add_lists = [&](const auto& some) {
+    document["lights"] = elements(some.lights);
+    document["blockers"] = elements(some.blockers);
+    document["receivers"] = elements(some.receivers);
+  };
+  std::visit(add_lists, scene);
   return document;
 }
 

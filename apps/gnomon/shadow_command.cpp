@@ -95,19 +95,20 @@ std::string written_text(const std::string& out, const std::vector<fs::path>& fi
 /// Says why nothing is written; a script gets the same as JSON.
 ExitCode refuse_all(const Scene& scene, const Box3& box, const std::vector<ScenePair>& pairs, const std::string& json) {
   if (!json.empty()) write_json(shadow_json({&scene, box, {}}, pairs), json);
-  print_error(scene.source + ": " + unsupported_text(pairs));
+  print_error(facts(scene).source + ": " + unsupported_text(pairs));
   return ExitCode::unsupported;
 }
 
 ExitCode write_all(const ShadowOptions& options, const std::vector<OutputFormat>& output_formats, const Scene& scene) {
-  if (options.merge && scene.dimension == 2) throw UnsupportedError("--merge unites volumes, which need dimension 3");
+  if (options.merge && std::holds_alternative<PlaneScene>(scene))
+    throw UnsupportedError("--merge unites volumes, which need dimension 3");
   const std::vector<ScenePair> pairs = scene_pairs(scene, {options.light, options.blocker});
   const Box3 box = clip_box(scene, options.box);
   if (!pairs.empty() && supported_count(pairs) == 0) return refuse_all(scene, box, pairs, options.json);
 
   const Effort effort{options.threads, !options.quiet};
   ShadowResult result = computed_shadows(scene, pairs, box, effort);
-  if (options.merge) result.merged = merged_shadows(scene, pairs, box, effort);
+  if (options.merge) result.merged = merged_shadows(std::get<SpaceScene>(scene), pairs, box, effort);
   std::vector<fs::path> files;
   if (!options.out.empty()) {
     result.receivers = receivers_beside_volumes(scene, {options.light, {}}, effort);

@@ -24,7 +24,7 @@ std::array<ShadowExtent, 3> planar_extents(const PlanarPairResult& pair) {
 }  // namespace
 
 std::array<ShadowExtent, 3> shadow_extents(const ShadowResult& result, std::size_t pair) {
-  return result.scene->dimension == 2 ? planar_extents(result.planar_pairs[pair]) : spatial_extents(result.pairs[pair]);
+  return result.pairs.empty() ? planar_extents(result.planar_pairs[pair]) : spatial_extents(result.pairs[pair]);
 }
 
 }  // namespace gnomon

@@ -95,7 +95,8 @@ Json lines_json(const std::vector<planar::ExtremalLine>& lines) {
 }
 
 void add_shadow(Json& json, const ShadowResult& result, std::size_t pair, const ScenePair& scene_pair) {
-  if (result.scene->dimension == 2) {
+  const bool planar = std::holds_alternative<PlaneScene>(*result.scene);
+  if (planar) {
     json["lines"] = lines_json(result.planar_pairs[pair].regions.lines);
   } else {
     json["planes"] = planes_json(result.pairs[pair].volumes, scene_pair);
@@ -106,7 +107,7 @@ void add_shadow(Json& json, const ShadowResult& result, std::size_t pair, const 
                                       {"components", extent.facts.components},
                                       {"volume_in_box", extent.size_in_box}};
   }
-  if (result.scene->dimension != 2 && result.pairs[pair].is_solid) {
+  if (!planar && result.pairs[pair].is_solid) {
     json["umbra"]["pockets"] = result.pairs[pair].volumes.umbra_pockets;
   }
 }
@@ -163,11 +164,11 @@ Json box_json(const Box3& box, int dimension) {
 }
 
 Json shadow_json(const ShadowResult& result, const std::vector<ScenePair>& pairs) {
-  const Scene& scene = *result.scene;
+  const SceneFacts& scene = facts(*result.scene);
+  const int dimensions = dimension(*result.scene);
   Json document = {{"schema", "gnomon/shadow/1"}, {"scene", scene.source}, {"length_unit", scene.length_unit}};
-  document[scene.dimension == 2 ? "area_unit" : "volume_unit"] =
-      scene.length_unit + (scene.dimension == 2 ? "^2" : "^3");
-  document["clip_box"] = box_json(result.clip_box, scene.dimension);
+  document[dimensions == 2 ? "area_unit" : "volume_unit"] = scene.length_unit + '^' + std::to_string(dimensions);
+  document["clip_box"] = box_json(result.clip_box, dimensions);
   document["pairs"] = Json::array();
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     Json pair = pair_json(pairs[i]);

@@ -19,8 +19,10 @@ namespace {
 /// The light that moves: the one that --light names, or the only one.
 std::string moving_light(const Scene& scene, const std::string& light) {
   std::vector<std::string> names;
-  for (const SceneLight& candidate : scene.lights) names.push_back(candidate.name);
-  for (const PlanarLight& candidate : scene.planar_lights) names.push_back(candidate.name);
+  const auto add_names = [&](const auto& some) {
+    for (const auto& candidate : some.lights) names.push_back(candidate.name);
+  };
+  std::visit(add_names, scene);
   if (light.empty() && names.size() == 1) return names.front();
   if (light.empty()) {
     throw UsageError("--path moves one light, and the scene has " + std::to_string(names.size()) +
@@ -55,7 +57,7 @@ WrittenSeries write_shadow_series(const Scene& scene, const CommonOptions& optio
   const std::string light = moving_light(scene, options.light);
   scene_pairs(scene, {light, options.blocker});  // refuses names that there are not
   std::vector<Scene> scenes;
-  for (const PathPlace& place : read_light_path(path, scene.dimension)) {
+  for (const PathPlace& place : read_light_path(path, dimension(scene))) {
     scenes.push_back(with_light_at(scene, light, place, path));
   }
   const Box3 box = common_box(scenes, options.box);
@@ -74,7 +76,7 @@ WrittenSeries write_shadow_series(const Scene& scene, const CommonOptions& optio
     progress.step();
   }
   if (pair_count > 0 && written.unsupported_pairs == pair_count) {
-    throw UnsupportedError(scene.source + ": none of the " + counted(pair_count, "pair") + " is supported");
+    throw UnsupportedError(facts(scene).source + ": none of the " + counted(pair_count, "pair") + " is supported");
   }
   written.files = writer.publish();
   return written;

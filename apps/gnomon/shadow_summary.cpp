@@ -22,7 +22,7 @@ std::string extent_text(const VolumeFacts& facts) {
 
 /// How the umbra of a solid lies about it.
 std::string pockets_text(const ShadowResult& result, std::size_t pair, std::string_view volume) {
-  if (result.scene->dimension == 2 || !result.pairs[pair].is_solid || volume != "umbra") return {};
+  if (result.pairs.empty() || !result.pairs[pair].is_solid || volume != "umbra") return {};
   return ", " + counted(result.pairs[pair].volumes.umbra_pockets, "pocket") + " outside the solid";
 }
 
@@ -41,7 +41,7 @@ struct ContactCounts {
 };
 
 ContactCounts contact_counts(const ShadowResult& result, std::size_t pair) {
-  if (result.scene->dimension != 2) {
+  if (result.planar_pairs.empty()) {
     const ExtremalPlanes& planes = result.pairs[pair].volumes.planes;
     return {planes.separating_blocker.size() + planes.separating_light.size(), planes.supporting_blocker.size()};
   }
@@ -51,7 +51,7 @@ ContactCounts contact_counts(const ShadowResult& result, std::size_t pair) {
 }
 
 TextRow extremal_row(const ShadowResult& result, std::size_t pair) {
-  if (result.scene->dimension != 2) return {"planes", planes_text(result.pairs[pair].volumes.planes)};
+  if (result.planar_pairs.empty()) return {"planes", planes_text(result.pairs[pair].volumes.planes)};
   const ContactCounts counts = contact_counts(result, pair);
   return {"lines",
           std::to_string(counts.separating) + " separating, " + std::to_string(counts.supporting) + " supporting"};
@@ -59,7 +59,7 @@ TextRow extremal_row(const ShadowResult& result, std::size_t pair) {
 
 /// The unit of volumes, or of areas in the plane.
 std::string size_unit(const Scene& scene) {
-  return scene.length_unit + (scene.dimension == 2 ? "^2" : "^3");
+  return facts(scene).length_unit + '^' + std::to_string(dimension(scene));
 }
 
 std::string block(const ScenePair& pair, const ShadowResult& result, std::size_t index) {
@@ -109,7 +109,7 @@ std::string positions_text(const std::vector<ScenePair>& pairs) {
 }
 
 std::string table(const ShadowResult& result, const std::vector<ScenePair>& pairs) {
-  const bool planar = result.scene->dimension == 2;
+  const bool planar = !result.planar_pairs.empty();
   const std::string extremal = planar ? "lines" : "planes";
   std::vector<TextRow> rows{{"light", "blocker", extremal, "occlusion", "umbra", "penumbra"}};
   for (std::size_t i = 0; i < pairs.size(); ++i) rows.push_back(line(pairs[i], result, i));
@@ -139,7 +139,7 @@ std::string together_text(const ShadowResult& result) {
 
 std::string shadow_summary(const ShadowResult& result, const std::vector<ScenePair>& pairs) {
   std::string text = labelled("scene", scene_text(*result.scene)) +
-                     labelled("clip box", box_text(result.clip_box, result.scene->dimension)) + '\n';
+                     labelled("clip box", box_text(result.clip_box, dimension(*result.scene))) + '\n';
   if (pairs.size() > most_blocks) return text + table(result, pairs) + together_text(result);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (i != 0) text += '\n';
@@ -156,14 +156,19 @@ std::string box_text(const Box3& box, int dimension) {
   return dimension == 2 ? text : text + ", " + range('z', box.min.z, box.max.z);
 }
 
+std::string lights_and_blockers(const Scene& scene) {
+  const auto counts = [](const auto& some) {
+    return counted(some.lights.size(), "light") + ", " + counted(some.blockers.size(), "blocker");
+  };
+  return std::visit(counts, scene);
+}
+
 std::string scene_text(const Scene& scene) {
-  const bool planar = scene.dimension == 2;
-  const std::size_t lights = planar ? scene.planar_lights.size() : scene.lights.size();
-  const std::size_t blockers = planar ? scene.planar_blockers.size() : scene.blockers.size();
-  const std::size_t receivers = planar ? scene.planar_receivers.size() : receiver_elements(scene.receivers).size();
-  return scene.source + ": " + counted(lights, "light") + ", " + counted(blockers, "blocker") + ", " +
-         counted(receivers, "receiver") + "; dimension " + std::to_string(scene.dimension) + ", lengths in " +
-         scene.length_unit;
+  const auto* space = std::get_if<SpaceScene>(&scene);
+  const std::size_t receivers =
+      space ? receiver_elements(space->receivers).size() : std::get<PlaneScene>(scene).receivers.size();
+  return facts(scene).source + ": " + lights_and_blockers(scene) + ", " + counted(receivers, "receiver") +
+         "; dimension " + std::to_string(dimension(scene)) + ", lengths in " + facts(scene).length_unit;
 }
 
 std::string unsupported_text(const std::vector<ScenePair>& pairs) {

@@ -19,6 +19,9 @@ std::string box_text(const Box3& box, int dimension);
 /// The scene's name, how many elements it has, and its length unit.
 std::string scene_text(const Scene& scene);
 
+/// "2 lights, 1 blocker".
+std::string lights_and_blockers(const Scene& scene);
+
 /// One warning that names the pairs that are not supported and why; empty if there are none.
 std::string unsupported_text(const std::vector<ScenePair>& pairs);
 

@@ -18,7 +18,7 @@ fs::path scene_file(const std::string& key, const fs::path& folder) {
 }
 
 std::string points_text(const laws::Example& example) {
-  const bool planar = example.scene.dimension == 2;
+  const bool planar = std::holds_alternative<PlaneScene>(example.scene);
   std::string text = planar ? "x,y\n" : "x,y,z\n";
   for (const Point3& p : example.points) {
     text += number_text(p.x) + ',' + number_text(p.y) + (planar ? "" : ',' + number_text(p.z)) + '\n';

@@ -108,18 +108,22 @@ std::optional<ClosedSurface> enclosed_space(const SceneBlocker& blocker) {
   return surface;
 }
 
-Obstacles obstacles_of(const Scene& scene) {
-  Obstacles obstacles;
-  for (const SceneBlocker& blocker : scene.blockers) {
-    for (ConvexPart& part : convex_parts(blocker)) obstacles.blockers.push_back(std::move(part.shape));
-    if (auto space = enclosed_space(blocker)) obstacles.enclosures.push_back(std::move(*space));
+SceneBodies scene_bodies(const SpaceScene& scene) {
+  SceneBodies bodies;
+  for (std::uint32_t b = 0; b < scene.blockers.size(); ++b) {
+    for (ConvexPart& part : convex_parts(scene.blockers[b])) {
+      bodies.obstacles.blockers.push_back(std::move(part.shape));
+      bodies.names.push_back(std::move(part.name));
+      bodies.blocker_ids.push_back(b);
+    }
+    if (auto space = enclosed_space(scene.blockers[b])) bodies.obstacles.enclosures.push_back(std::move(*space));
   }
-  return obstacles;
+  return bodies;
 }
 
-planar::Sight planar_sight(const Scene& scene, const PlanarLight& light) {
+planar::Sight planar_sight(const PlaneScene& scene, const PlanarLight& light) {
   std::vector<planar::BlockerSegment> segments;
-  for (const PlanarBlocker& blocker : scene.planar_blockers) {
+  for (const PlanarBlocker& blocker : scene.blockers) {
     const auto parts = planar::segments_of_polyline(blocker.vertices);
     segments.insert(segments.end(), parts.begin(), parts.end());
   }

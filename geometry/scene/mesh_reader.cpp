@@ -113,7 +113,7 @@ void add_doubts(const std::string& title, std::vector<std::string> found, std::v
 
 }  // namespace
 
-Mesh read_mesh(const SceneElement& element, const std::filesystem::path& folder, Scene& scene, MeshUse use) {
+Mesh read_mesh(const SceneElement& element, const std::filesystem::path& folder, SpaceScene& scene, MeshUse use) {
   const JsonNode node = element.node.required("file", "the name of a mesh file");
   const MeshSource source{node, node.string("the name of a mesh file")};
   PolygonSoup soup = soup_of(node, source, folder);

@@ -16,7 +16,7 @@ enum class MeshUse { blocker, receiver };
 /// was mended (see checked_facets) or passed over, lamps among the materials, a mesh that is not closed.
 ///
 /// Throws: SceneError.
-Mesh read_mesh(const SceneElement& element, const std::filesystem::path& folder, Scene& scene,
+Mesh read_mesh(const SceneElement& element, const std::filesystem::path& folder, SpaceScene& scene,
                MeshUse use = MeshUse::blocker);
 
 }  // namespace gnomon

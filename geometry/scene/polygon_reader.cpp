@@ -22,7 +22,7 @@ struct RingNodes {
 };
 
 /// Reads one ring, and leaves out what repeats its neighbour.
-Ring read_ring(const JsonNode& list, const SceneElement& element, RingNodes& nodes, Scene& scene) {
+Ring read_ring(const JsonNode& list, const SceneElement& element, RingNodes& nodes, SpaceScene& scene) {
   const std::vector<JsonNode> items = list.items("an array of points");
   std::vector<Point3> points;
   points.reserve(items.size());
@@ -45,7 +45,7 @@ Ring read_ring(const JsonNode& list, const SceneElement& element, RingNodes& nod
   return ring;
 }
 
-RingNodes read_rings(const SceneElement& element, Scene& scene) {
+RingNodes read_rings(const SceneElement& element, SpaceScene& scene) {
   RingNodes nodes{element.node.required("vertices", "an array of points"), {}, {}, {}, {}};
   nodes.boundary = read_ring(nodes.list, element, nodes, scene);
   const std::optional<JsonNode> holes = element.node.optional("holes");
@@ -57,12 +57,12 @@ RingNodes read_rings(const SceneElement& element, Scene& scene) {
   return nodes;
 }
 
-std::string deviation_text(double deviation, const Scene& scene) {
+std::string deviation_text(double deviation, const SpaceScene& scene) {
   return ": its vertices are not exactly coplanar; they deviate from a plane by up to " + few_digits(deviation) + " " +
          scene.length_unit;
 }
 
-void doubt_flatness(const SceneElement& element, const PolygonPlane& plane, Scene& scene) {
+void doubt_flatness(const SceneElement& element, const PolygonPlane& plane, SpaceScene& scene) {
   const std::string text = element.title + deviation_text(plane.deviation, scene);
   if (plane.flatness == Flatness::rounded) {
     scene.doubts.push_back(text + ", within the limit of 1e-9 of its diameter, and count as rounded");
@@ -92,7 +92,7 @@ void require_polygon(const RingNodes& nodes, const PolygonExamination& polygon, 
 
 }  // namespace
 
-PolygonShape read_polygon(const SceneElement& element, ConcaveRing concave, Scene& scene) {
+PolygonShape read_polygon(const SceneElement& element, ConcaveRing concave, SpaceScene& scene) {
   RingNodes nodes = read_rings(element, scene);
   if (concave != ConcaveRing::accepted && nodes.holes.empty() && !ConvexPolygon::defect(nodes.points)) {
     ConvexPolygon polygon = ConvexPolygon::from_points(std::move(nodes.points));

@@ -23,7 +23,7 @@ enum class ConcaveRing {
 /// accepted with one.
 ///
 /// Throws: SceneError.
-PolygonShape read_polygon(const SceneElement& element, ConcaveRing concave, Scene& scene);
+PolygonShape read_polygon(const SceneElement& element, ConcaveRing concave, SpaceScene& scene);
 
 /// A flat convex polygon of a name of its own.
 struct NamedPolygon {

@@ -8,18 +8,25 @@
 namespace gnomon {
 namespace {
 
-std::vector<Point3> all_points(const Scene& scene) {
+std::vector<Point3> all_points(const SpaceScene& scene) {
   std::vector<Point3> points;
   const auto add = [&](std::span<const Point3> more) { points.insert(points.end(), more.begin(), more.end()); };
-  const auto add_planar = [&](const std::vector<Point2>& more) {
-    for (const Point2& p : more) points.push_back({p.x, p.y, 0});
-  };
   for (const SceneLight& light : scene.lights) add(light_points(light.shape));
   for (const SceneBlocker& blocker : scene.blockers) add(blocker_points(blocker.shape));
   for (const SceneReceiver& receiver : scene.receivers) add(receiver.shape.points());
-  for (const PlanarLight& light : scene.planar_lights) add_planar(light.vertices);
-  for (const PlanarBlocker& blocker : scene.planar_blockers) add_planar(blocker.vertices);
-  for (const PlanarBlocker& receiver : scene.planar_receivers) add_planar(receiver.vertices);
+  return points;
+}
+
+std::vector<Point3> all_points(const PlaneScene& scene) {
+  std::vector<Point3> points;
+  const auto add = [&](const auto& elements) {
+    for (const auto& element : elements) {
+      for (const Point2& p : element.vertices) points.push_back({p.x, p.y, 0});
+    }
+  };
+  add(scene.lights);
+  add(scene.blockers);
+  add(scene.receivers);
   return points;
 }
 
@@ -60,15 +67,24 @@ std::span<const Point3> blocker_points(const BlockerShape& shape) {
   return std::visit(PointsOf{}, shape);
 }
 
+const SceneFacts& facts(const Scene& scene) {
+  return std::visit([](const SceneFacts& common) -> const SceneFacts& { return common; }, scene);
+}
+
+int dimension(const Scene& scene) {
+  return std::holds_alternative<PlaneScene>(scene) ? 2 : 3;
+}
+
 std::optional<Box3> default_clip_box(const Scene& scene) {
-  const std::vector<Point3> points = all_points(scene);
+  const bool is_flat = std::holds_alternative<PlaneScene>(scene);
+  const std::vector<Point3> points = std::visit([](const auto& some) { return all_points(some); }, scene);
   if (points.empty()) return std::nullopt;
   const auto [min, max] = bounding_box(points);
   const double growth = std::hypot(max.x - min.x, max.y - min.y, max.z - min.z) / 2;
-  const double depth = scene.dimension == 2 ? 0 : growth;
+  const double depth = is_flat ? 0 : growth;
   const Box3 box{{min.x - growth, min.y - growth, min.z - depth}, {max.x + growth, max.y + growth, max.z + depth}};
   if (!is_interval(box.min.x, box.max.x) || !is_interval(box.min.y, box.max.y)) return std::nullopt;
-  if (scene.dimension != 2 && !is_interval(box.min.z, box.max.z)) return std::nullopt;
+  if (!is_flat && !is_interval(box.min.z, box.max.z)) return std::nullopt;
   // Sides may be finite where their difference is not.
   const double diagonal = std::hypot(box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z);
   return std::isfinite(diagonal) ? std::optional(box) : std::nullopt;

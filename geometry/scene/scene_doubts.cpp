@@ -57,7 +57,7 @@ bool reaches_front(std::span<const Point3> points, const ConvexPolygon& light) {
                      [&](const Point3& p) { return exact_orientation(corner(0), corner(1), corner(2), p) > 0; });
 }
 
-void doubt_backs(const Scene& scene, std::vector<std::string>& doubts) {
+void doubt_backs(const SpaceScene& scene, std::vector<std::string>& doubts) {
   for (const SceneLight& light : scene.lights) {
     const auto* area = std::get_if<AreaLight>(&light.shape);
     if (!area || area->two_sided || !area->polygon.is_flat() || scene.blockers.empty()) continue;
@@ -105,7 +105,7 @@ std::string text_of_dark(Reach reach, bool two_sided) {
 }
 
 /// Receivers of which no facet can receive anything. Of one with two sides one may well be dark.
-void doubt_dark_receivers(const Scene& scene, std::vector<std::string>& doubts) {
+void doubt_dark_receivers(const SpaceScene& scene, std::vector<std::string>& doubts) {
   if (scene.lights.empty()) return;
   for (const ReceiverGroup receiver : receiver_elements(scene.receivers)) {
     Reach most = Reach::light_is_behind;
@@ -118,16 +118,24 @@ void doubt_dark_receivers(const Scene& scene, std::vector<std::string>& doubts) 
   }
 }
 
+template <class SomeScene>
+std::vector<std::string> doubts_of_lists(const SomeScene& scene) {
+  std::vector<std::string> doubts;
+  if (scene.lights.empty()) doubts.emplace_back("the scene has no light");
+  if (scene.blockers.empty()) doubts.emplace_back("the scene has no blocker");
+  doubt_darkness(scene.lights, doubts);
+  doubt_duplicates(scene.blockers, doubts);
+  return doubts;
+}
+
 }  // namespace
 
-std::vector<std::string> scene_doubts(const Scene& scene) {
-  std::vector<std::string> doubts;
-  if (scene.lights.empty() && scene.planar_lights.empty()) doubts.emplace_back("the scene has no light");
-  if (scene.blockers.empty() && scene.planar_blockers.empty()) doubts.emplace_back("the scene has no blocker");
-  doubt_darkness(scene.lights, doubts);
-  doubt_darkness(scene.planar_lights, doubts);
-  doubt_duplicates(scene.blockers, doubts);
-  doubt_duplicates(scene.planar_blockers, doubts);
+std::vector<std::string> scene_doubts(const PlaneScene& scene) {
+  return doubts_of_lists(scene);
+}
+
+std::vector<std::string> scene_doubts(const SpaceScene& scene) {
+  std::vector<std::string> doubts = doubts_of_lists(scene);
   doubt_backs(scene, doubts);
   doubt_dark_receivers(scene, doubts);
   doubt_materials(scene, doubts);

@@ -1,5 +1,7 @@
 #include "gnomon/scene.h"
 
+#include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -24,10 +26,10 @@ void require_version(const JsonNode& document) {
   if (!version.is_number(1)) version.refuse_value("the version of the format, 1");
 }
 
-int dimension(const JsonNode& document) {
+bool is_planar(const JsonNode& document) {
   const JsonNode node = document.required("dimension", "2 or 3");
   if (!node.is_number(2) && !node.is_number(3)) node.refuse_value("2 or 3");
-  return node.is_number(2) ? 2 : 3;
+  return node.is_number(2);
 }
 
 std::string length_unit(const JsonNode& document) {
@@ -62,36 +64,49 @@ std::vector<SceneElement> optional_elements(const JsonNode& document, std::strin
   return node ? scene_elements(*node, list) : std::vector<SceneElement>{};
 }
 
+/// The lists of a scene, their names checked.
+struct SceneLists {
+  std::vector<SceneElement> lights, blockers, receivers;
+
+  explicit SceneLists(const JsonNode& document)
+      : lights(required_elements(document, "lights")),
+        blockers(required_elements(document, "blockers")),
+        receivers(optional_elements(document, "receivers")) {}
+};
+
+PlaneScene plane_scene(const JsonNode& document) {
+  document.allow_keys({"$schema", "gnomon", "dimension", "length_unit", "lights", "blockers", "receivers"},
+                      "a scene of the plane");
+  PlaneScene scene;
+  scene.length_unit = length_unit(document);
+  const SceneLists lists(document);
+  scene.lights = read_planar_lights(lists.lights);
+  scene.blockers = read_planar_chains(lists.blockers);
+  scene.receivers = read_planar_chains(lists.receivers);
+  return scene;
+}
+
+SpaceScene space_scene(const JsonNode& document, const std::filesystem::path& folder) {
+  document.allow_keys({"$schema", "gnomon", "dimension", "length_unit", "up", "ambient_radiance", "materials", "lights",
+                       "blockers", "receivers"},
+                      "a scene");
+  SpaceScene scene;
+  scene.up = up_axis(document);
+  read_materials(document, scene);
+  scene.length_unit = length_unit(document);
+  const SceneLists lists(document);
+  read_spatial_lights(lists.lights, scene);
+  read_spatial_blockers(lists.blockers, folder, scene);
+  read_spatial_receivers(lists.receivers, folder, scene);
+  return scene;
+}
+
 Scene read_document(const JsonNode& document, const std::filesystem::path& folder) {
   document.require_object("an object with the keys \"gnomon\", \"dimension\", \"lights\", \"blockers\"");
   require_version(document);
   if (const auto schema = document.optional("$schema")) schema->string("the address of a JSON Schema (a string)");
-  Scene scene;
-  scene.dimension = dimension(document);
-  if (scene.dimension == 2) {
-    document.allow_keys({"$schema", "gnomon", "dimension", "length_unit", "lights", "blockers", "receivers"},
-                        "a scene of the plane");
-  } else {
-    document.allow_keys({"$schema", "gnomon", "dimension", "length_unit", "up", "ambient_radiance", "materials",
-                         "lights", "blockers", "receivers"},
-                        "a scene");
-    scene.up = up_axis(document);
-    read_materials(document, scene);
-  }
-  scene.length_unit = length_unit(document);
-  const std::vector<SceneElement> lights = required_elements(document, "lights");
-  const std::vector<SceneElement> blockers = required_elements(document, "blockers");
-  const std::vector<SceneElement> receivers = optional_elements(document, "receivers");
-  if (scene.dimension == 2) {
-    scene.planar_lights = read_planar_lights(lights);
-    scene.planar_blockers = read_planar_chains(blockers);
-    scene.planar_receivers = read_planar_chains(receivers);
-  } else {
-    read_spatial_lights(lights, scene);
-    read_spatial_blockers(blockers, folder, scene);
-    read_spatial_receivers(receivers, folder, scene);
-  }
-  return scene;
+  if (is_planar(document)) return plane_scene(document);
+  return space_scene(document, folder);
 }
 
 /// A document and whether its text began with a byte-order mark, which the parser passes over.
@@ -106,9 +121,14 @@ SceneText parsed(std::string_view text, const std::string& source) {
 
 Scene scene_of(const SceneText& text, const std::string& source, const std::filesystem::path& folder) {
   Scene scene = read_document(JsonNode(text.document, source), folder);
-  scene.source = source;
-  if (text.has_mark) scene.doubts.emplace_back("the file begins with a byte-order mark, which is passed over");
-  for (std::string& doubt : scene_doubts(scene)) scene.doubts.push_back(std::move(doubt));
+  std::vector<std::string> doubts = std::visit([](const auto& some) { return scene_doubts(some); }, scene);
+  std::visit(
+      [&](SceneFacts& facts) {
+        facts.source = source;
+        if (text.has_mark) facts.doubts.emplace_back("the file begins with a byte-order mark, which is passed over");
+        std::ranges::move(doubts, std::back_inserter(facts.doubts));
+      },
+      scene);
   return scene;
 }
 

@@ -32,7 +32,7 @@ bool is_two_sided(const SceneElement& element) {
   return node && node->boolean("true or false");
 }
 
-void read_area_light(const SceneElement& element, Scene& scene) {
+void read_area_light(const SceneElement& element, SpaceScene& scene) {
   element.node.allow_keys({"name", "shape", "vertices", "radiance", "two_sided", "color"}, "a polygon light");
   const double radiance = strength(element, "radiance");
   const bool both = is_two_sided(element);
@@ -83,7 +83,8 @@ void allow_shape_keys(const SceneElement& element, std::initializer_list<std::st
   element.node.allow_keys(all, "a " + element.shape + (use == MeshUse::receiver ? " receiver" : ""));
 }
 
-BlockerShape read_shape(const SceneElement& element, MeshUse use, const std::filesystem::path& folder, Scene& scene) {
+BlockerShape read_shape(const SceneElement& element, MeshUse use, const std::filesystem::path& folder,
+                        SpaceScene& scene) {
   if (element.shape == "mesh") {
     allow_shape_keys(element, {"file"}, use);
     return read_mesh(element, folder, scene, use);
@@ -100,7 +101,7 @@ BlockerShape read_shape(const SceneElement& element, MeshUse use, const std::fil
 
 }  // namespace
 
-void read_spatial_lights(const std::vector<SceneElement>& elements, Scene& scene) {
+void read_spatial_lights(const std::vector<SceneElement>& elements, SpaceScene& scene) {
   for (const SceneElement& element : elements) {
     if (element.shape == "polygon") {
       read_area_light(element, scene);
@@ -120,7 +121,7 @@ void read_spatial_lights(const std::vector<SceneElement>& elements, Scene& scene
 }
 
 void read_spatial_blockers(const std::vector<SceneElement>& elements, const std::filesystem::path& folder,
-                           Scene& scene) {
+                           SpaceScene& scene) {
   for (const SceneElement& element : elements) {
     scene.blockers.push_back(
         {element.name, read_shape(element, MeshUse::blocker, folder, scene), material_name(element, scene)});
@@ -128,7 +129,7 @@ void read_spatial_blockers(const std::vector<SceneElement>& elements, const std:
 }
 
 void read_spatial_receivers(const std::vector<SceneElement>& elements, const std::filesystem::path& folder,
-                            Scene& scene) {
+                            SpaceScene& scene) {
   for (const SceneElement& element : elements) {
     const ReceiverSides sides = is_two_sided(element) ? ReceiverSides::both : ReceiverSides::front;
     const BlockerShape shape = read_shape(element, MeshUse::receiver, folder, scene);

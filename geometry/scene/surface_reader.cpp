@@ -88,7 +88,7 @@ Rgb colour(const JsonNode& node, double most) {
   return {share(parts[0], most), share(parts[1], most), share(parts[2], most)};
 }
 
-void read_materials(const JsonNode& document, Scene& scene) {
+void read_materials(const JsonNode& document, SpaceScene& scene) {
   if (const auto node = document.optional("ambient_radiance")) scene.ambient_radiance = colour(*node, largest_double);
   const auto list = document.optional("materials");
   if (!list) return;
@@ -101,7 +101,7 @@ void read_materials(const JsonNode& document, Scene& scene) {
   }
 }
 
-std::string material_name(const SceneElement& element, const Scene& scene) {
+std::string material_name(const SceneElement& element, const SpaceScene& scene) {
   const auto node = element.node.optional("material");
   if (!node) return {};
   const std::string expected = "the name of one of the scene's \"materials\"";
@@ -115,7 +115,7 @@ Rgb light_colour(const SceneElement& element) {
   return node ? colour(*node, largest_double) : Rgb{1, 1, 1};
 }
 
-void doubt_materials(const Scene& scene, std::vector<std::string>& doubts) {
+void doubt_materials(const SpaceScene& scene, std::vector<std::string>& doubts) {
   for (const auto& [name, material] : scene.materials) {
     if (is_classic(material.model)) continue;
     double most = 0;

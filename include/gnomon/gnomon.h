@@ -7,7 +7,8 @@
 ///     int main() {
 ///       using namespace gnomon;
 ///       const Scene scene = parse_scene(default_scene_text(), "default", ".");
-///       LightVisibility lamp(scene.lights.front().shape, PreparedObstacles(obstacles_of(scene)));
+///       const auto& space = std::get<SpaceScene>(scene);
+///       LightVisibility lamp(space.lights.front().shape, PreparedObstacles(scene_bodies(space).obstacles));
 ///       return lamp.at({0, 0, 0}).fraction < 1 ? 0 : 1;
 ///     }
 

@@ -7,9 +7,9 @@
 ///     int main() {
 ///       using namespace gnomon;
 ///       const Scene scene = parse_scene(default_scene_text(), "default", ".");
-///       const ConvexBlocker board = convex_parts(scene.blockers.front()).front().shape;
+///       const auto& space = std::get<SpaceScene>(scene);
 ///       PairResult pair;
-///       pair.volumes = shadow_volumes(scene.lights.front().shape, board);
+///       pair.volumes = shadow_volumes(space.lights.front().shape, scene_bodies(space).obstacles.blockers.front());
 ///       const ShadowResult result{&scene, default_clip_box(scene).value(), {pair}};
 ///       return result.pairs.front().volumes.occlusion_facts.empty ? 1 : 0;
 ///     }
@@ -34,8 +34,8 @@ namespace gnomon {
 
 /// What one light and one convex blocker of a scene give.
 struct PairResult {
-  std::uint32_t light_id = 0;    ///< index into Scene::lights
-  std::uint32_t blocker_id = 0;  ///< index into Scene::blockers
+  std::uint32_t light_id = 0;    ///< index into SpaceScene::lights
+  std::uint32_t blocker_id = 0;  ///< index into SpaceScene::blockers
   std::string light;
   std::string blocker;  ///< a part of a larger blocker is named `vase#12`
   Position position = Position::standard;
@@ -45,10 +45,10 @@ struct PairResult {
   ShadowMeshes meshes;
 };
 
-/// What one light and one segment of a scene of dimension 2 give. Every position is supported.
+/// What one light and one segment of a scene of the plane give. Every position is supported.
 struct PlanarPairResult {
-  std::uint32_t light_id = 0;    ///< index into Scene::planar_lights
-  std::uint32_t blocker_id = 0;  ///< index into Scene::planar_blockers
+  std::uint32_t light_id = 0;    ///< index into PlaneScene::lights
+  std::uint32_t blocker_id = 0;  ///< index into PlaneScene::blockers
   std::string light;
   std::string blocker;  ///< part k of a polyline is named `fence#k`
   Position position = Position::standard;
@@ -56,20 +56,20 @@ struct PlanarPairResult {
   planar::ShadowRegionsInBox in_box;
 };
 
-/// What one light of a scene of dimension 2 gives behind all segments asked for together.
+/// What one light of a scene of the plane gives behind all segments asked for together.
 struct PlanarLightResult {
-  std::uint32_t light_id = 0;  ///< index into Scene::planar_lights
+  std::uint32_t light_id = 0;  ///< index into PlaneScene::lights
   std::string light;
   std::vector<std::string> blockers;       ///< names of the segments, in the partition's order
-  std::vector<std::uint32_t> blocker_ids;  ///< of the same: indices into Scene::planar_blockers
+  std::vector<std::uint32_t> blocker_ids;  ///< of the same: indices into PlaneScene::blockers
   planar::Partition partition;             ///< of the clip box
   planar::PartitionInBox in_box;
 };
 
 /// The occlusion volumes of one light and all parts of one blocker as one.
 struct MergedResult {
-  std::uint32_t light_id = 0;    ///< index into Scene::lights
-  std::uint32_t blocker_id = 0;  ///< index into Scene::blockers
+  std::uint32_t light_id = 0;    ///< index into SpaceScene::lights
+  std::uint32_t blocker_id = 0;  ///< index into SpaceScene::blockers
   std::string light;
   std::string blocker;  ///< the whole one
   MergedOcclusion occlusion;
@@ -77,8 +77,8 @@ struct MergedResult {
 
 /// What one receiver, a flat piece of a receiver of the file, receives of one light behind all blockers together.
 struct ReceiverResult {
-  std::uint32_t light_id = 0;     ///< index into Scene::lights
-  std::uint32_t receiver_id = 0;  ///< index into Scene::receivers
+  std::uint32_t light_id = 0;     ///< index into SpaceScene::lights
+  std::uint32_t receiver_id = 0;  ///< index into SpaceScene::receivers
   std::string light;
   std::string receiver;
   ReceiverMesh mesh;

@@ -6,8 +6,9 @@
 ///     #include <gnomon/scene.h>
 ///     int main() {
 ///       const gnomon::Scene scene = gnomon::parse_scene(gnomon::default_scene_text(), "default", ".");
-///       const auto parts = gnomon::convex_parts(scene.blockers.front());
-///       return scene.lights.size() == 1 && parts.size() == 1 && gnomon::default_clip_box(scene) ? 0 : 1;
+///       const auto& space = std::get<gnomon::SpaceScene>(scene);
+///       const gnomon::SceneBodies bodies = gnomon::scene_bodies(space);
+///       return space.lights.size() == 1 && bodies.names.size() == 1 && gnomon::default_clip_box(scene) ? 0 : 1;
 ///     }
 
 #include <cstdint>
@@ -90,13 +91,14 @@ struct SceneReceiver {
   bool is_called(const std::string& asked) const { return asked == name || asked == side || asked == element; }
 };
 
-/// Lights, blockers and receivers of the plane (`dimension` 2).
+/// A light of the plane with its name.
 struct PlanarLight {
   std::string name;
   std::vector<Point2> vertices;  ///< one: a point light; two: a linear light
   double strength = 1;
 };
 
+/// A blocker or a receiver of the plane with its name.
 struct PlanarBlocker {
   std::string name;
   std::vector<Point2> vertices;  ///< two: a segment; more: a polyline of consecutive segments
@@ -105,26 +107,40 @@ struct PlanarBlocker {
 /// The axis that points up in pictures; nothing else asks for it.
 enum class UpAxis { z, y };
 
-/// A checked scene file. In dimension 3 the spatial lists are filled, in dimension 2 the planar ones.
-struct Scene {
-  std::string source;  ///< the file as the user named it, or "default" for the embedded scene
-  int dimension = 3;
-  std::string length_unit = "m";  ///< the name of one of length_units
+/// What is told of every checked scene file.
+struct SceneFacts {
+  std::string source;                    ///< the file as the user named it, or "default" for the embedded scene
+  std::string length_unit = "m";         ///< the name of one of length_units
+  std::vector<std::string> doubts = {};  ///< accepted, but worth a word: a sentence each, as `gnomon check` prints them
+};
+
+/// A checked scene file of "dimension" 3.
+struct SpaceScene : SceneFacts {
   std::vector<SceneLight> lights;
   std::vector<SceneBlocker> blockers;
   std::vector<SceneReceiver> receivers;
-  std::vector<PlanarLight> planar_lights;
-  std::vector<PlanarBlocker> planar_blockers;
-  std::vector<PlanarBlocker> planar_receivers;
-  std::vector<std::string> doubts;  ///< accepted, but worth a word: one sentence each, as `gnomon check` prints them
-  UpAxis up = UpAxis::z;            ///< in pictures of space
-  std::vector<SceneMaterial> materials = {};
+  UpAxis up = UpAxis::z;
+  std::vector<SceneMaterial> materials;
   Rgb ambient_radiance = {0, 0, 0};  ///< that comes from everywhere [W/(m² sr)]
 };
 
+/// A checked scene file of "dimension" 2.
+struct PlaneScene : SceneFacts {
+  std::vector<PlanarLight> lights;
+  std::vector<PlanarBlocker> blockers;
+  std::vector<PlanarBlocker> receivers;
+};
+
+using Scene = std::variant<SpaceScene, PlaneScene>;
+
+const SceneFacts& facts(const Scene& scene);
+
+/// 2 or 3.
+int dimension(const Scene& scene);
+
 /// The box by which unbounded volumes are cut unless the user gives one: the bounding box of everything in the scene,
 /// receivers included, grown on every side by half its diagonal. Computed in doubles; exact from there on.
-/// Nothing if a coordinate or the diagonal overflows or the box has no interior. In dimension 2, z runs from 0 to 0.
+/// Nothing if a coordinate or the diagonal overflows or the box has no interior. In the plane, z runs from 0 to 0.
 std::optional<Box3> default_clip_box(const Scene& scene);
 
 /// A scene file that cannot be read. what() is the whole message for the user: file, JSON pointer (or line and
@@ -183,10 +199,16 @@ std::vector<ConvexPart> convex_parts(const SceneBlocker& blocker, PartsFor use =
 /// blockers.
 std::optional<ClosedSurface> enclosed_space(const SceneBlocker& blocker);
 
-/// All blockers of a scene of space, part by part.
-Obstacles obstacles_of(const Scene& scene);
+/// The blockers of a scene of space as points, receivers and events take them: made once for all of these.
+struct SceneBodies {
+  Obstacles obstacles;                     ///< the convex parts of all blockers, in their order, and enclosed spaces
+  std::vector<std::string> names;          ///< of each part
+  std::vector<std::uint32_t> blocker_ids;  ///< of each part, the index of its blocker in the scene
+};
+
+SceneBodies scene_bodies(const SpaceScene& scene);
 
 /// What points of a scene of the plane see of one of its lights.
-planar::Sight planar_sight(const Scene& scene, const PlanarLight& light);
+planar::Sight planar_sight(const PlaneScene& scene, const PlanarLight& light);
 
 }  // namespace gnomon

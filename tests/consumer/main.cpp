@@ -18,7 +18,7 @@ constexpr const char* kScene = R"({
 }  // namespace
 
 int main() {
-  const gnomon::Scene scene = gnomon::parse_scene(kScene, "table", ".");
+  const auto scene = std::get<gnomon::SpaceScene>(gnomon::parse_scene(kScene, "table", "."));
   const gnomon::Light& lamp = scene.lights.front().shape;
   const auto& table = std::get<gnomon::ConvexPolygon>(scene.blockers.front().shape);
 

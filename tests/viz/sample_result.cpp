@@ -99,13 +99,14 @@ ShadowMeshes sample_meshes() {
 }  // namespace
 
 SampleResult::SampleResult(const std::string& light, const std::string& blocker) {
-  scene_.source = "sample.scene.json";
+  auto& scene = scene_.emplace<SpaceScene>();
+  scene.source = "sample.scene.json";
   const ConvexPolygon lamp =
       ConvexPolygon::from_points({{-0.5, -0.5, 4}, {-0.5, 0.5, 4}, {0.5, 0.5, 4}, {0.5, -0.5, 4}});
-  scene_.lights.push_back({light, AreaLight{lamp}, 1});
-  scene_.blockers.push_back({blocker, square(1, top)});
-  scene_.blockers.push_back({"post", Polytope{{{3, 3, 0}, {3.5, 3, 0}, {3, 3.5, 0}, {3, 3, 1}, {3.1, 3.1, 0.1}}}});
-  scene_.receivers.push_back({"floor", square(4, 0)});
+  scene.lights.push_back({light, AreaLight{lamp}, 1});
+  scene.blockers.push_back({blocker, square(1, top)});
+  scene.blockers.push_back({"post", Polytope{{{3, 3, 0}, {3.5, 3, 0}, {3, 3.5, 0}, {3, 3, 1}, {3.1, 3.1, 0.1}}}});
+  scene.receivers.push_back({"floor", square(4, 0)});
   result_.scene = &scene_;
   result_.clip_box = {{-5, -5, bottom}, {5, 5, 5}};
 
@@ -121,12 +122,12 @@ SampleResult::SampleResult(const std::string& light, const std::string& blocker)
   result_.pairs.push_back(pair);
 
   std::vector<ConvexBlocker> parts;
-  for (const SceneBlocker& whole : scene_.blockers) {
+  for (const SceneBlocker& whole : scene.blockers) {
     for (ConvexPart& part : convex_parts(whole)) parts.push_back(std::move(part.shape));
   }
-  const std::vector<ConvexPolygon> receivers = {scene_.receivers[0].shape};
+  const std::vector<ConvexPolygon> receivers = {scene.receivers[0].shape};
   result_.receivers.push_back(
-      {0, 0, light, "floor", receiver_division(scene_.lights[0].shape, parts, receivers).front()});
+      {0, 0, light, "floor", receiver_division(scene.lights[0].shape, parts, receivers).front()});
 
   PairResult unsupported;
   unsupported.light = light;

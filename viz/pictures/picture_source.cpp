@@ -38,8 +38,9 @@ vtkSmartPointer<vtkPolyData> surface_of(const fs::path& directory, const ListedB
 
 PictureSource picture_source(const ShadowResult& result) {
   const bool complete = std::ranges::all_of(result.pairs, &PairResult::supported);
-  PictureSource source{
-      title(result.scene->source), complete, result.scene->dimension, result.scene->up, result.clip_box, {}};
+  const auto* space = std::get_if<SpaceScene>(result.scene);
+  PictureSource source{title(facts(*result.scene).source), complete,        dimension(*result.scene),
+                       space ? space->up : UpAxis::z,      result.clip_box, {}};
   for (const Block& block : shadow_blocks(result)) {
     auto surface = vtkSmartPointer<vtkPolyData>(vtkPolyData::SafeDownCast(block.data));
     if (surface != nullptr && !block.empty()) source.blocks.push_back({block.path, block.kind, surface});

@@ -52,8 +52,8 @@ Fields leaf_fields(const ShadowResult& result, bool unbounded) {
   const Box3& box = result.clip_box;
   return {{"producer", std::vector<std::string>{"gnomon"}},
           {"version", std::vector<std::string>{GNOMON_VERSION}},
-          {"scene", std::vector<std::string>{result.scene->source}},
-          {"length_unit", std::vector<std::string>{result.scene->length_unit}},
+          {"scene", std::vector<std::string>{facts(*result.scene).source}},
+          {"length_unit", std::vector<std::string>{facts(*result.scene).length_unit}},
           {"unbounded", std::vector<std::int32_t>{unbounded ? 1 : 0}},
           {"clip_box", std::vector<double>{box.min.x, box.min.y, box.min.z, box.max.x, box.max.y, box.max.z}}};
 }

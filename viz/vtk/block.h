@@ -43,7 +43,7 @@ void append_block(std::vector<Block>& blocks, Block block);
 void append_scene_blocks(std::vector<Block>& blocks, const ShadowResult& result);
 
 /// All blocks of a result, empty ones too. Polygons and triangles run counterclockwise seen from outside a volume, or
-/// from a polygon's front; points are doubles. A scene of dimension 2 gives planar_shadow_blocks.
+/// from a polygon's front; points are doubles. A scene of the plane gives planar_shadow_blocks.
 std::vector<Block> shadow_blocks(const ShadowResult& result);
 
 /// All blocks of a result of dimension 2, empty ones too, named as in space and lying at z = 0: regions are convex

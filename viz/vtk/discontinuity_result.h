@@ -24,7 +24,7 @@ struct DiscontinuityResult {
   const Scene* scene = nullptr;  ///< never null when used; outlives the result
   Box3 clip_box;
   std::vector<std::string> blockers;       ///< names of the convex blockers, which events number
-  std::vector<std::uint32_t> blocker_ids;  ///< of each, its index in Scene::blockers
+  std::vector<std::uint32_t> blocker_ids;  ///< of each, its index in SpaceScene::blockers
   std::vector<ReceiverResult> receivers = {};
   std::vector<SurfaceResult> surfaces = {};
 };

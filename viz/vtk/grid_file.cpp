@@ -96,8 +96,8 @@ void write_grid(const PointGrid& grid, std::span<const GridValues> values, const
   }
   viz::add_field_data(*data->GetFieldData(), {{"producer", std::vector<std::string>{"gnomon"}},
                                               {"version", std::vector<std::string>{GNOMON_VERSION}},
-                                              {"scene", std::vector<std::string>{scene.source}},
-                                              {"length_unit", std::vector<std::string>{scene.length_unit}}});
+                                              {"scene", std::vector<std::string>{facts(scene).source}},
+                                              {"length_unit", std::vector<std::string>{facts(scene).length_unit}}});
   viz::StagedFolder folder(file.parent_path());
   write_image(*data, folder.add(file.filename().string()));
   folder.publish();

@@ -188,10 +188,10 @@ std::string manifest_text(const ShadowResult& result, const ManifestEntries& ent
   Json json = {{"schema", schema},
                {"command", entries.command},
                {"generation", entries.generations.front()},
-               {"dimension", result.scene->dimension},
+               {"dimension", dimension(*result.scene)},
                {"roots", entries.roots}};
   if (entries.generations.size() > 1) json["generations"] = entries.generations;
-  if (result.scene->dimension == 3) json["up"] = result.scene->up == UpAxis::y ? "y" : "z";
+  if (const auto* space = std::get_if<SpaceScene>(result.scene)) json["up"] = space->up == UpAxis::y ? "y" : "z";
   json["field_data"] = fields_json(result_fields(result));
   json["palette"] = palette_json();
   json["cell_arrays"] = arrays_json();

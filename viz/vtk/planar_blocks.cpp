@@ -132,7 +132,7 @@ std::string shape_name(const std::vector<Point2>& vertices) {
 
 void append_lights(std::vector<Block>& blocks, const ShadowResult& result) {
   CellName cell;
-  for (const PlanarLight& light : result.scene->planar_lights) {
+  for (const PlanarLight& light : std::get<PlaneScene>(*result.scene).lights) {
     ++cell.light_id;
     Fields fields = element_fields(result, light.name, shape_name(light.vertices));
     fields.push_back({"strength", std::vector<double>{light.strength}});
@@ -142,6 +142,7 @@ void append_lights(std::vector<Block>& blocks, const ShadowResult& result) {
 }
 
 void append_elements(std::vector<Block>& blocks, const ShadowResult& result) {
+  const auto& scene = std::get<PlaneScene>(*result.scene);
   const auto append = [&](const std::string& list, const std::string& kind, const PlanarBlocker& element,
                           const CellName& cell) {
     append_block(blocks, {{"scene", list, element.name},
@@ -151,11 +152,11 @@ void append_elements(std::vector<Block>& blocks, const ShadowResult& result) {
   };
   CellName cell;
   cell.facet_kind = static_cast<std::uint8_t>(FacetKind::blocker_face);
-  for (const PlanarBlocker& blocker : result.scene->planar_blockers) {
+  for (const PlanarBlocker& blocker : scene.blockers) {
     ++cell.blocker_id;
     append("blockers", "blocker", blocker, cell);
   }
-  for (const PlanarBlocker& receiver : result.scene->planar_receivers) {
+  for (const PlanarBlocker& receiver : scene.receivers) {
     append("receivers", "receiver", receiver, CellName{});
   }
 }

@@ -102,7 +102,7 @@ vtkSmartPointer<vtkPolyData> points_or_line(std::span<const Point3> points, cons
 }
 
 /// The smallest box around everything that has a place.
-Box3 box_around(const Scene& scene) {
+Box3 box_around(const SpaceScene& scene) {
   Box3 box{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
   const auto add = [&box](std::span<const Point3> points) {
     for (const Point3& p : points) {
@@ -124,7 +124,7 @@ double distance_out(const Box3& box, const Point3& way) {
 }
 
 /// A directional light is drawn as a short arrow beside the scene, where the light comes from: shaft and four barbs.
-vtkSmartPointer<vtkPolyData> arrow(const Point3& direction, const Scene& scene, const CellName& cell) {
+vtkSmartPointer<vtkPolyData> arrow(const Point3& direction, const SpaceScene& scene, const CellName& cell) {
   const Box3 box = box_around(scene);
   const Point3 middle{std::midpoint(box.min.x, box.max.x), std::midpoint(box.min.y, box.max.y),
                       std::midpoint(box.min.z, box.max.z)};
@@ -150,7 +150,7 @@ vtkSmartPointer<vtkPolyData> arrow(const Point3& direction, const Scene& scene, 
 
 struct LightData {
   CellName cell;
-  const Scene& scene;
+  const SpaceScene& scene;
 
   vtkSmartPointer<vtkPolyData> operator()(const PointLight& light) const {
     return points_or_line(std::vector{light.position}, cell);
@@ -224,7 +224,7 @@ void append_receiver_block(std::vector<Block>& blocks, const ShadowResult& resul
 }  // namespace
 
 void append_scene_blocks(std::vector<Block>& blocks, const ShadowResult& result) {
-  const Scene& scene = *result.scene;
+  const auto& scene = std::get<SpaceScene>(*result.scene);
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     const SceneLight& light = scene.lights[i];
     CellName cell;

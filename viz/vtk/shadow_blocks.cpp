@@ -17,7 +17,7 @@ using Group = std::span<const PairResult* const>;
 
 std::string blocker_of(const ShadowResult& result, Group group) {
   if (group.size() == 1) return group.front()->blocker;
-  return result.scene->blockers[group.front()->blocker_id].name + "#parts";
+  return std::get<SpaceScene>(*result.scene).blockers[group.front()->blocker_id].name + "#parts";
 }
 
 /// Fields of a volume; where parts share it, the double of every part in the order of `part_id`. The exact numbers of
@@ -120,7 +120,7 @@ std::vector<Group> groups_of(std::span<const PairResult* const> pairs) {
 }  // namespace
 
 std::vector<Block> shadow_blocks(const ShadowResult& result) {
-  if (result.scene->dimension == 2) return planar_shadow_blocks(result);
+  if (std::holds_alternative<PlaneScene>(*result.scene)) return planar_shadow_blocks(result);
   std::vector<const PairResult*> pairs;
   for (const PairResult& pair : result.pairs) {
     if (pair.supported) pairs.push_back(&pair);

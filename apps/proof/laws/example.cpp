@@ -18,23 +18,22 @@ std::string blocker_name(std::size_t i) {
 }  // namespace
 
 Example spatial_example(const Light& light, std::span<const ConvexBlocker> blockers, std::vector<Point3> points) {
-  Example result{{}, std::move(points)};
-  result.scene.lights.push_back({"light", light});
+  SpaceScene scene;
+  scene.lights.push_back({"light", light});
   for (const ConvexBlocker& blocker : blockers) {
-    result.scene.blockers.push_back({blocker_name(result.scene.blockers.size()), scene_shape(blocker)});
+    scene.blockers.push_back({blocker_name(scene.blockers.size()), scene_shape(blocker)});
   }
-  return result;
+  return {std::move(scene), std::move(points)};
 }
 
 Example planar_example(std::span<const Point2> light, std::span<const planar::BlockerSegment> blockers,
                        std::span<const Point2> points) {
-  Example result;
-  result.scene.dimension = 2;
-  result.scene.planar_lights.push_back({"light", {light.begin(), light.end()}});
+  PlaneScene scene;
+  scene.lights.push_back({"light", {light.begin(), light.end()}});
   for (const planar::BlockerSegment& blocker : blockers) {
-    result.scene.planar_blockers.push_back(
-        {blocker_name(result.scene.planar_blockers.size()), {blocker.begin(), blocker.end()}});
+    scene.blockers.push_back({blocker_name(scene.blockers.size()), {blocker.begin(), blocker.end()}});
   }
+  Example result{std::move(scene), {}};
   for (const Point2& p : points) result.points.push_back({p.x, p.y, 0});
   return result;
 }

@@ -136,7 +136,7 @@ std::string description(const ReceiverCase& drawn) {
 
 Example example(const ReceiverCase& drawn) {
   Example result = spatial_example(drawn.light, drawn.blockers, {drawn.floor.points()[0]});
-  result.scene.receivers.push_back({"floor", drawn.floor});
+  std::get<SpaceScene>(result.scene).receivers.push_back({"floor", drawn.floor});
   return result;
 }
 

@@ -132,7 +132,7 @@ TEST(FaceRegionsProperty, OfASolidsOwnTopHoldAtEveryPointDrawnInThem) {
 }
 
 TEST(FaceRegions, LeaveNothingOfTheCornellBoxOpen) {
-  const Scene scene = read_scene(GNOMON_EXAMPLES "/cornell_box.scene.json");
+  const auto scene = std::get<SpaceScene>(read_scene(GNOMON_EXAMPLES "/cornell_box.scene.json"));
   const Blockers blockers = parts_of_blockers(scene);
   const std::vector<ConvexPolygon> receivers = receivers_of(scene);
   const Light& light = scene.lights.front().shape;

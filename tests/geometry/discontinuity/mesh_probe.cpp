@@ -122,7 +122,7 @@ ConvexBlocker turned_box(double x, double y, double z0, double z1, double c, dou
   return ConvexSolid::hull_of(points);
 }
 
-std::vector<ConvexBlocker> parts_of_blockers(const Scene& scene) {
+std::vector<ConvexBlocker> parts_of_blockers(const SpaceScene& scene) {
   std::vector<ConvexBlocker> parts;
   for (const SceneBlocker& blocker : scene.blockers) {
     for (ConvexPart& part : convex_parts(blocker)) parts.push_back(std::move(part.shape));
@@ -130,7 +130,7 @@ std::vector<ConvexBlocker> parts_of_blockers(const Scene& scene) {
   return parts;
 }
 
-std::vector<ConvexPolygon> receivers_of(const Scene& scene) {
+std::vector<ConvexPolygon> receivers_of(const SpaceScene& scene) {
   std::vector<ConvexPolygon> receivers;
   for (const SceneReceiver& receiver : scene.receivers) receivers.push_back(receiver.shape);
   return receivers;

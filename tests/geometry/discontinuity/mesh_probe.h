@@ -35,8 +35,8 @@ ConvexBlocker turned_box(double x, double y, double z0, double z1, double c, dou
 AreaLight lamp(ConvexPolygon polygon);
 
 /// The convex parts of all blockers of a scene, and its receivers.
-std::vector<ConvexBlocker> parts_of_blockers(const Scene& scene);
-std::vector<ConvexPolygon> receivers_of(const Scene& scene);
+std::vector<ConvexBlocker> parts_of_blockers(const SpaceScene& scene);
+std::vector<ConvexPolygon> receivers_of(const SpaceScene& scene);
 
 /// Points of a horizontal receiver whose region is compared with exact_visibility.
 struct ProbeResult {

@@ -27,7 +27,8 @@ std::vector<std::string> scene_names() {
 }
 
 TEST_P(NamedScene, HasTheRegionsOfTheDefinitionOnEveryReceiver) {
-  const Scene scene = read_scene(GNOMON_TEST_DATA "/scenes/receivers/" + GetParam() + ".scene.json");
+  const auto scene =
+      std::get<SpaceScene>(read_scene(GNOMON_TEST_DATA "/scenes/receivers/" + GetParam() + ".scene.json"));
   const std::vector<ConvexBlocker> blockers = parts_of_blockers(scene);
   const std::vector<ConvexPolygon> receivers = receivers_of(scene);
   const Light& light = scene.lights.front().shape;

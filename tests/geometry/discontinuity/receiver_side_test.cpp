@@ -175,7 +175,7 @@ std::string area_of(const ReceiverMesh& mesh, const std::string& region) {
 }
 
 TEST_P(AttackedScene, HasTheRegionsOfTheDefinition) {
-  const Scene scene = read_scene(attacks + GetParam() + ".scene.json");
+  const auto scene = std::get<SpaceScene>(read_scene(attacks + GetParam() + ".scene.json"));
   const auto blockers = parts_of_blockers(scene);
   const Light& light = scene.lights.front().shape;
   const ReceiverMesh mesh = receiver_division(light, blockers, receivers_of(scene)).front();

@@ -10,8 +10,8 @@ namespace gnomon::planar {
 namespace {
 
 ShadowRegions regions_of_example(const std::string& name) {
-  const Scene scene = read_scene(std::filesystem::path(GNOMON_EXAMPLES) / (name + ".scene.json"));
-  return shadow_regions(Pair::from_points(scene.planar_lights.at(0).vertices, scene.planar_blockers.at(0).vertices));
+  const auto scene = std::get<PlaneScene>(read_scene(std::filesystem::path(GNOMON_EXAMPLES) / (name + ".scene.json")));
+  return shadow_regions(Pair::from_points(scene.lights.at(0).vertices, scene.blockers.at(0).vertices));
 }
 
 TEST(ThesisFigures, Figure417HasFourExtremalLines) {

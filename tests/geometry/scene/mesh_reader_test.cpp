@@ -34,12 +34,12 @@ class MeshFile : public testing::Test {
     std::ofstream(folder_ / file, std::ios::binary) << bytes;
   }
 
-  Scene scene(const std::string& file, const std::string& bytes) const {
+  SpaceScene scene(const std::string& file, const std::string& bytes) const {
     write(file, bytes);
     const std::string text = R"({"gnomon": 1, "dimension": 3, "lights": [{"name": "bulb", "shape": "point",)"
                              R"( "position": [0, 0, 9]}], "blockers": [{"name": "vase", "shape": "mesh", "file": ")" +
                              file + "\"}]}";
-    return parse_scene(text, "test", folder_);
+    return std::get<SpaceScene>(parse_scene(text, "test", folder_));
   }
 
   Mesh mesh(const std::string& file, const std::string& bytes) const {
@@ -163,7 +163,7 @@ TEST_F(MeshFile, OfOffMayCarryColoursAndCountsInItsFirstLine) {
 }
 
 TEST_F(MeshFile, WithABoundaryIsNotClosedAndGetsADoubt) {
-  const Scene read = scene("vase.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const SpaceScene read = scene("vase.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   EXPECT_FALSE(std::get<Mesh>(read.blockers[0].shape).closed);
   EXPECT_THAT(read.doubts, ElementsAre(AllOf(HasSubstr("blocker \"vase\""), HasSubstr("not closed"))));
 }
@@ -187,7 +187,7 @@ TEST_F(MeshFile, ReadsTheNearestDouble) {
 }
 
 TEST_F(MeshFile, TellsTheDeviationOfRoundedFacets) {
-  const Scene read = scene("vase.obj", "v 0 0 0\nv 1 0 0\nv 1 1 1e-12\nv 0 1 0\nf 1 2 3 4\n");
+  const SpaceScene read = scene("vase.obj", "v 0 0 0\nv 1 0 0\nv 1 1 1e-12\nv 0 1 0\nf 1 2 3 4\n");
   ASSERT_FALSE(read.doubts.empty());
   EXPECT_THAT(read.doubts[0], AllOf(HasSubstr("not exactly coplanar"), HasSubstr("1e-12 m")));
 }
@@ -232,7 +232,7 @@ TEST_F(MeshFile, IsRefusedForFacetsThatAreNoPolygonsByTheirLine) {
 }
 
 TEST_F(MeshFile, LeavesOutFacetsWithoutAnAreaAndKeepsTheNumbersOfTheOthers) {
-  const Scene read =
+  const SpaceScene read =
       scene("a.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 9 9 9\nf 1 2 3\nf 1 2 4\nf 1 1 4\nf 1 2\nf 1 2 4 4\n");
   const Mesh& read_mesh = std::get<Mesh>(read.blockers[0].shape);
   EXPECT_THAT(read_mesh.facets, ElementsAre(ElementsAre(0, 1, 3), ElementsAre(0, 1, 3)));
@@ -256,22 +256,22 @@ TEST_F(MeshFile, IsClosedAlsoWhereAFacetWithoutAreaClosesTheGap) {
 }
 
 TEST_F(MeshFile, TakesBentFacetsAsTrianglesWithOneDoubtThatTellsTheLargestDeviation) {
-  const Scene read =
+  const SpaceScene read =
       scene("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0.001\nv 0 1 0\nv 0 2 0\nv 1 2 0.002\nf 1 2 3 4\nf 4 3 6 5\nf 1 2 3\n");
   EXPECT_THAT(read.doubts[0], AllOf(HasSubstr("2 facets (the first: line 7, facet 0) are bent"), HasSubstr("triangles"),
                                     HasSubstr("0.001")));
 }
 
 TEST_F(MeshFile, KeepsSeamsOfFacetsWithHoles) {
-  const Scene read = scene("wall.obj",
-                           "v 0 0 0\nv 6 0 0\nv 6 0 3\nv 0 0 3\nv 2 0 1\nv 2 0 2\nv 4 0 2\nv 4 0 1\n"
-                           "f 1 2 3 4 1 5 6 7 8 5\n");
+  const SpaceScene read = scene("wall.obj",
+                                "v 0 0 0\nv 6 0 0\nv 6 0 3\nv 0 0 3\nv 2 0 1\nv 2 0 2\nv 4 0 2\nv 4 0 1\n"
+                                "f 1 2 3 4 1 5 6 7 8 5\n");
   EXPECT_EQ(std::get<Mesh>(read.blockers[0].shape).facets[0].size(), 10u);
   EXPECT_THAT(read.doubts, ElementsAre(HasSubstr("not closed")));
 }
 
 TEST_F(MeshFile, ReadsPastByteOrderMarksLineEndsAndContinuedLinesWithADoubt) {
-  const Scene read = scene("a.obj", "\xef\xbb\xbfv 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 \\\r\n2 3\r\n");
+  const SpaceScene read = scene("a.obj", "\xef\xbb\xbfv 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 \\\r\n2 3\r\n");
   EXPECT_EQ(std::get<Mesh>(read.blockers[0].shape).vertices.size(), 3u);
   EXPECT_THAT(read.doubts[0], AllOf(HasSubstr("in \"a.obj\""), HasSubstr("a byte-order mark"),
                                     HasSubstr("carriage returns"), HasSubstr("a backslash")));
@@ -289,7 +289,7 @@ TEST_F(MeshFile, ReadsPastByteOrderMarksLineEndsAndContinuedLinesWithADoubt) {
 }
 
 TEST_F(MeshFile, PassesOverLinesOfUnknownWordsWithADoubtForEachWord) {
-  const Scene read = scene("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\ncurv 0 1 1 2\ncurv 2 3\nl 1 2\nf 1 2 3\nend\n");
+  const SpaceScene read = scene("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\ncurv 0 1 1 2\ncurv 2 3\nl 1 2\nf 1 2 3\nend\n");
   EXPECT_THAT(read.doubts, ElementsAre(AllOf(HasSubstr("line 4"), HasSubstr("\"curv\"")),
                                        AllOf(HasSubstr("line 8"), HasSubstr("\"end\"")), HasSubstr("not closed")));
   EXPECT_THAT(scene("a.stl", "solid\n color 1 0 0\n" + ascii_stl().substr(18)).doubts,

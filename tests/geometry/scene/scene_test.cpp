@@ -7,8 +7,8 @@
 namespace gnomon {
 namespace {
 
-Scene scene_of_points(std::vector<Point3> points) {
-  Scene scene;
+SpaceScene scene_of_points(std::vector<Point3> points) {
+  SpaceScene scene;
   for (const Point3& p : points) scene.lights.push_back({"bulb", PointLight{p}});
   return scene;
 }
@@ -19,7 +19,7 @@ TEST(DefaultClipBox, GrowsTheBoundingBoxByHalfItsDiagonal) {
 }
 
 TEST(DefaultClipBox, HoldsLightsBlockersAndReceivers) {
-  Scene scene = scene_of_points({{0, 0, 6}});
+  SpaceScene scene = scene_of_points({{0, 0, 6}});
   scene.lights.push_back({"tube", LinearLight{{0, 0, 5}, {1, 0, 5}}});
   scene.lights.push_back({"sun", DirectionalLight{{1000, 0, -1}}});
   scene.blockers.push_back({"post", Polytope{{{0, 0, 1}, {2, 0, 1}, {0, 1, 1}, {0, 0, 2}}}});
@@ -28,11 +28,10 @@ TEST(DefaultClipBox, HoldsLightsBlockersAndReceivers) {
 }
 
 TEST(DefaultClipBox, OfThePlaneHasNoDepth) {
-  Scene scene;
-  scene.dimension = 2;
-  scene.planar_lights.push_back({"bulb", {{0, 4}}});
-  scene.planar_blockers.push_back({"wall", {{0, 0}, {3, 0}}});
-  scene.planar_receivers.push_back({"floor", {{1, 1}, {2, 0}}});
+  PlaneScene scene;
+  scene.lights.push_back({"bulb", {{0, 4}}});
+  scene.blockers.push_back({"wall", {{0, 0}, {3, 0}}});
+  scene.receivers.push_back({"floor", {{1, 1}, {2, 0}}});
   EXPECT_EQ(default_clip_box(scene), (Box3{{-2.5, -2.5, 0}, {5.5, 6.5, 0}}));
 }
 

@@ -33,7 +33,7 @@ std::vector<std::string> scene_names() {
   return names;
 }
 
-std::vector<ConvexBlocker> parts_of(const Scene& scene) {
+std::vector<ConvexBlocker> parts_of(const SpaceScene& scene) {
   std::vector<ConvexBlocker> parts;
   for (const SceneBlocker& blocker : scene.blockers) {
     for (ConvexPart& part : convex_parts(blocker)) parts.push_back(std::move(part.shape));
@@ -43,7 +43,7 @@ std::vector<ConvexBlocker> parts_of(const Scene& scene) {
 
 /// Where it is decided what is seen: at vertices, half way between them, and behind blocker vertices in line with those
 /// of the light.
-std::vector<Point3> points_of_interest(const Scene& scene, const Light& light) {
+std::vector<Point3> points_of_interest(const SpaceScene& scene, const Light& light) {
   const std::vector<Point3> ends = light_points(light);
   std::vector<Point3> points = ends;
   for (const SceneBlocker& blocker : scene.blockers) {
@@ -76,7 +76,7 @@ std::vector<Point3> with_neighbours(const std::vector<Point3>& points) {
 class HardPosition : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(HardPosition, IsDecidedAsDefined) {
-  const Scene scene = read_scene(folder / (GetParam() + ".scene.json"));
+  const auto scene = std::get<SpaceScene>(read_scene(folder / (GetParam() + ".scene.json")));
   const std::vector<ConvexBlocker> blockers = parts_of(scene);
   for (const SceneLight& light : scene.lights) {
     const std::vector<Point3> points = with_neighbours(points_of_interest(scene, light.shape));

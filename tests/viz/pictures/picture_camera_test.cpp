@@ -21,7 +21,7 @@ PictureSource source_of(const Scene& scene) {
 /// The sample's scene under another light.
 Scene scene_under(const Light& light) {
   const SampleResult sample;
-  Scene scene = *sample.result().scene;
+  auto scene = std::get<SpaceScene>(*sample.result().scene);
   scene.lights = {{"light", light}};
   return scene;
 }
@@ -38,7 +38,7 @@ TEST(PictureCamera, HasZUpWhereverTheLightStands) {
 
 TEST(PictureCamera, HasYUpWhereTheSceneSaysSo) {
   Scene scene = scene_under(PointLight{{0, 0, 9}});
-  scene.up = UpAxis::y;
+  std::get<SpaceScene>(scene).up = UpAxis::y;
   const PictureView view = view_of(scene);
   EXPECT_EQ(view.up, (Point3{0, 1, 0}));
   EXPECT_GT(view.position.y, view.focus.y);

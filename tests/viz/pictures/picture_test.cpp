@@ -138,12 +138,13 @@ TEST(Picture, OfPointLinearAndDirectionalLightsIsDrawn) {
   const TemporaryFolder folder;
   SampleResult sample;
   Scene scene = *sample.result().scene;
-  scene.lights = {{"bulb", PointLight{{0, 0, 4}}},
-                  {"tube", LinearLight{{-1, 1, 4}, {1, 1, 4}}},
-                  {"sun", DirectionalLight{{0, 0.5, -1}}}};
+  auto& lights = std::get<SpaceScene>(scene).lights;
+  lights = {{"bulb", PointLight{{0, 0, 4}}},
+            {"tube", LinearLight{{-1, 1, 4}, {1, 1, 4}}},
+            {"sun", DirectionalLight{{0, 0.5, -1}}}};
   sample.result().scene = &scene;
   PictureOptions options = small;
-  for (const SceneLight& light : scene.lights) {
+  for (const SceneLight& light : lights) {
     options.selection.light = light.name;
     render_scene(sample.result(), folder / "picture.png", options);
     EXPECT_GT(Pixels(folder / "picture.png").close_to(viz::palette.light, 0.1), 100) << light.name;

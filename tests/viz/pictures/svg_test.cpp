@@ -47,7 +47,8 @@ TEST(Svg, OfThePlaneIsXmlThatNamesElementsAndLines) {
   ASSERT_NE(svg, nullptr);
   EXPECT_STREQ(svg->GetName(), "svg");
   const std::vector<std::string> names = titles(*svg);
-  for (const PlanarLight& light : sample.result().scene->planar_lights) EXPECT_THAT(names, Contains(light.name));
+  const auto& scene = std::get<PlaneScene>(*sample.result().scene);
+  for (const PlanarLight& light : scene.lights) EXPECT_THAT(names, Contains(light.name));
   EXPECT_THAT(names, Contains(HasSubstr("separating line: ")));
   EXPECT_THAT(names, Contains(HasSubstr("supporting line: ")));
 }

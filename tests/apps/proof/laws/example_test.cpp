@@ -12,12 +12,12 @@ namespace {
 
 TEST(Example, OfThePlaneHoldsLightSegmentsAndPoints) {
   const Example shown = example(FlatlandCase{{{0, 1}, {2, 1}}, {{{{0, 0}, {1, 0}}}, {{{1, 0}, {2, 0}}}}, {3, 4}});
-  EXPECT_EQ(shown.scene.dimension, 2);
-  ASSERT_EQ(shown.scene.planar_lights.size(), 1u);
-  EXPECT_EQ(shown.scene.planar_lights[0].vertices, (std::vector<Point2>{{0, 1}, {2, 1}}));
-  ASSERT_EQ(shown.scene.planar_blockers.size(), 2u);
-  EXPECT_EQ(shown.scene.planar_blockers[1].name, "blocker_1");
-  EXPECT_EQ(shown.scene.planar_blockers[1].vertices, (std::vector<Point2>{{1, 0}, {2, 0}}));
+  const auto& plane = std::get<PlaneScene>(shown.scene);
+  ASSERT_EQ(plane.lights.size(), 1u);
+  EXPECT_EQ(plane.lights[0].vertices, (std::vector<Point2>{{0, 1}, {2, 1}}));
+  ASSERT_EQ(plane.blockers.size(), 2u);
+  EXPECT_EQ(plane.blockers[1].name, "blocker_1");
+  EXPECT_EQ(plane.blockers[1].vertices, (std::vector<Point2>{{1, 0}, {2, 0}}));
   EXPECT_EQ(shown.points, (std::vector<Point3>{{3, 4, 0}}));
   EXPECT_EQ(example(PlanarCase{{{0, 1}}, {Point2{0, 0}, Point2{1, 0}}, {3, 4}, {5, 6}}).points.size(), 2u);
 }
@@ -25,12 +25,12 @@ TEST(Example, OfThePlaneHoldsLightSegmentsAndPoints) {
 TEST(Example, OfSpaceHoldsLightBlockersAndPoints) {
   const ConvexPolygon triangle = ConvexPolygon::from_points({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
   const Example flat = example(SpatialCase{PointLight{{0, 0, 2}}, triangle, {1, 2, 3}, {4, 5, 6}});
-  EXPECT_EQ(flat.scene.dimension, 3);
-  EXPECT_TRUE(std::holds_alternative<ConvexPolygon>(flat.scene.blockers.at(0).shape));
-  EXPECT_TRUE(std::holds_alternative<PointLight>(flat.scene.lights.at(0).shape));
+  const auto& space = std::get<SpaceScene>(flat.scene);
+  EXPECT_TRUE(std::holds_alternative<ConvexPolygon>(space.blockers.at(0).shape));
+  EXPECT_TRUE(std::holds_alternative<PointLight>(space.lights.at(0).shape));
   EXPECT_EQ(flat.points, (std::vector<Point3>{{1, 2, 3}, {4, 5, 6}}));
   const Example solid = example(pyramid_case({}));
-  EXPECT_EQ(std::get<Polytope>(solid.scene.blockers.at(0).shape).vertices.size(), 5u);
+  EXPECT_EQ(std::get<Polytope>(std::get<SpaceScene>(solid.scene).blockers.at(0).shape).vertices.size(), 5u);
   EXPECT_EQ(solid.points.size(), 2u);
 }
 
