@@ -41,7 +41,7 @@ class CoplanarPairs {
   void with_blocker_edges(EdgeId near) {
     const BlockerEdge& edge = scene_.edges[near];
     const std::array<Point3, 2> ends{scene_.points[edge.a].input, scene_.points[edge.b].input};
-    scene_.shape_boxes.search(shaft(scene_, ends), found_);
+    find_boxes(scene_.shape_boxes, shaft(scene_, ends), found_);
     far_.clear();
     for (const std::uint32_t s : found_) {
       for (const ShapeEdge& e : scene_.shapes[s].edges) {
@@ -73,14 +73,7 @@ class CoplanarPairs {
 
   template <class Points, class IdOf>
   bool is_cut(const PlaneIds& plane, const Points& points, const IdOf& id_of) const {
-    bool above = false, below = false;
-    for (const auto& p : points) {
-      const int s = side(plane, id_of(p));
-      above = above || s > 0;
-      below = below || s < 0;
-      if (above && below) return true;
-    }
-    return false;
+    return sides(points, [&](const auto& p) { return side(plane, id_of(p)); }).cross();
   }
 
   /// Faces on both sides: no part of an outline, as seen in the plane.
@@ -169,7 +162,7 @@ class CoplanarPairs {
       both_sides.push_back(rough_half_space(p, step(p, q), step(p, r)));
       both_sides.push_back(reversed(both_sides[0]));
     }
-    scene_.shape_boxes.search(both_sides, found_);
+    find_boxes(scene_.shape_boxes, both_sides, found_);
   }
 
   /// Blockers share corners and edges.

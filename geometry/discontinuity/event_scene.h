@@ -7,8 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "geometry/discontinuity/box_hierarchy.h"
+#include "geometry/bodies/sides.h"
 #include "geometry/discontinuity/pencil.h"
+#include "geometry/discontinuity/rough_half_space.h"
 #include "gnomon/blocker.h"
 #include "gnomon/discontinuity.h"
 #include "gnomon/light.h"

@@ -53,7 +53,7 @@ class FaceAsker {
     for (const Interval& c : {p.x, p.y, p.z}) {
       if (!(c.sup() - c.inf() <= 0x1p-44 * size)) return std::nullopt;
     }
-    lit_.scene.shape_boxes.search(shaft(lit_.scene, {&middle, 1}), near_);
+    find_boxes(lit_.scene.shape_boxes, shaft(lit_.scene, {&middle, 1}), near_);
     const std::optional<QuickAnswer> answer = quick_.region(p, near_);
     const auto is_covered = [&] { return answer->cover && hides_light_from(f, *answer->cover) == true; };
     if (!answer || !(answer->is_certain_of_face || is_covered())) return std::nullopt;

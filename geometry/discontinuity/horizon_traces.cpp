@@ -105,7 +105,7 @@ class HorizonTraces {
     region.push_back(rough_half_space(points[0], step(points[0], points[1]), step(points[0], points[2])));
     region.push_back(reversed(region.back()));
     std::vector<ShapeId> found;
-    scene_.shape_boxes.search(region, found);
+    find_boxes(scene_.shape_boxes, region, found);
     std::sort(found.begin(), found.end());
     return found;
   }

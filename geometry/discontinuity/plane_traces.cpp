@@ -54,7 +54,7 @@ class PlaneTraces {
           rough_side(region[0], {b.x - a.x, b.y - a.y, b.z - a.z}, a, scene_.points[c[(k + 2) % c.size()]].input));
     }
     std::vector<ShapeId> found;
-    scene_.shape_boxes.search(region, found);
+    find_boxes(scene_.shape_boxes, region, found);
     std::sort(found.begin(), found.end());
     return found;
   }
@@ -101,32 +101,25 @@ class PlaneTraces {
     if (ends.size() == 2) add(ends[0], ends[1], name);
   }
 
-  std::array<bool, 2> sides_of(const std::vector<PointId>& corners) const {
-    std::array<bool, 2> sides{};
-    for (const PointId p : corners) {
-      const int s = side(scene_.points[p]);
-      if (s != 0) sides[s > 0 ? 0 : 1] = true;
-    }
-    return sides;
+  Sides sides_of(const std::vector<PointId>& corners) const {
+    return sides(corners, [&](PointId p) { return side(scene_.points[p]); });
   }
 
   void append_flat_contact(ShapeId s) {
     const Shape& shape = scene_.shapes[s];
-    const auto [in_front, behind] = sides_of(shape.corners);
-    if (in_front) add_section(shape.corners, contact(s, 0));
+    if (sides_of(shape.corners).positive) add_section(shape.corners, contact(s, 0));
   }
 
   void append_solid_contact(ShapeId s) {
     const Shape& shape = scene_.shapes[s];
-    const auto [in_front, behind] = sides_of(shape.corners);
-    if (in_front && behind) {
+    const Sides corners = sides_of(shape.corners);
+    if (corners.cross()) {
       for (std::uint32_t f = 0; f < shape.facets.size(); ++f) add_section(shape.facets[f], contact(s, f));
       return;
     }
-    if (!in_front) return;
+    if (!corners.positive) return;
     for (std::uint32_t f = 0; f < shape.facets.size(); ++f) {
-      const auto [above, below] = sides_of(shape.facets[f]);
-      if (!above && !below) {
+      if (sides_of(shape.facets[f]).all_zero()) {
         add_outline(shape.facets[f], contact(s, f));
       } else {
         add_section(shape.facets[f], contact(s, f));  // an edge on which the solid stands

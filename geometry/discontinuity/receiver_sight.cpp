@@ -77,7 +77,7 @@ void ReceiverSight::collect_near(const ExactVector& p) {
 void ReceiverSight::collect_in_shaft(std::span<const ExactVector> face) {
   std::vector<Point3> points;
   for (const ExactVector& p : face) points.push_back({nearest_double(p.x), nearest_double(p.y), nearest_double(p.z)});
-  scene_.shape_boxes.search(shaft(scene_, points), near_);
+  find_boxes(scene_.shape_boxes, shaft(scene_, points), near_);
   std::erase_if(near_, [&](ShapeId s) { return !may_hide(s); });
   std::sort(near_.begin(), near_.end());
 }

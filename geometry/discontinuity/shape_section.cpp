@@ -15,12 +15,11 @@ class CornerSides {
     int* sides = corners_.size() > few_.size() ? many_.data() : few_.data();
     for (std::size_t k = 0; k < corners_.size(); ++k) {
       sides[k] = pencil.side(corners_[k]);
-      above_ = above_ || sides[k] > 0;
-      below_ = below_ || sides[k] < 0;
+      all_.add(sides[k]);
     }
   }
 
-  bool are_both() const { return above_ && below_; }
+  bool are_both() const { return all_.cross(); }
   int of_corner(std::size_t k) const { return many_.empty() ? few_[k] : many_[k]; }
   int of_point(PointId p) const {
     return of_corner(static_cast<std::size_t>(std::find(corners_.begin(), corners_.end(), p) - corners_.begin()));
@@ -30,8 +29,7 @@ class CornerSides {
   const std::vector<PointId>& corners_;
   std::array<int, 16> few_{};
   std::vector<int> many_;
-  bool above_ = false;
-  bool below_ = false;
+  Sides all_;
 };
 
 /// A flat convex shape is cut in a segment: its ends are the corners in the plane and the edges that cross it, two in

@@ -80,14 +80,10 @@ void VertexShadows::add(PointId light, const Shape& shape) {
     }
     for (const ShapeEdge& e : shape.edges) {
       if (!known) break;
-      bool above = false, below = false;
-      for (const PointId p : shape.corners) {
-        if (p == e.a || p == e.b) continue;
-        const int s = orientation(l, scene_.points[e.a], scene_.points[e.b], scene_.points[p]);
-        above = above || s > 0;
-        below = below || s < 0;
-      }
-      if (above != below) known = add_side({light, e.a, e.b}, shape.corners[0], shape);
+      const Sides corners = sides(shape.corners, [&](PointId p) {
+        return p == e.a || p == e.b ? 0 : orientation(l, scene_.points[e.a], scene_.points[e.b], scene_.points[p]);
+      });
+      if (corners.positive != corners.negative) known = add_side({light, e.a, e.b}, shape.corners[0], shape);
     }
   }
   if (known) {

@@ -175,24 +175,13 @@ bool VisibleCones::cut(Piece& piece, const Bound& bound, Piece* beyond) {
 /// The planes that bound a blocker as seen from p; none of one that is seen edge-on. Returns: false if this is not for
 /// this level.
 bool VisibleCones::append_bounds(const Shape& shape, std::vector<Bound>& bounds) {
-  bool any_in_front = false, all_in_front = true;
-  for (const PointId q : shape.corners) {
-    const int s = scene_.light_side(q) * light_side_;
-    any_in_front = any_in_front || s > 0;
-    all_in_front = all_in_front && s > 0;
-  }
-  if (!any_in_front) return true;
-  if (!all_in_front) return false;
+  const Sides of_light = sides(shape.corners, [&](PointId q) { return scene_.light_side(q) * light_side_; });
+  if (!of_light.positive) return true;
+  if (!of_light.all_positive()) return false;
   for (const ShapeEdge& e : shape.edges) {
     const PlaneId id = plane(e.a, e.b);
-    bool above = false, below = false;
-    for (const PointId q : shape.corners) {
-      const int s = side(id, q);
-      above = above || s > 0;
-      below = below || s < 0;
-      if (above && below) break;
-    }
-    if (above != below) bounds.push_back({id, above ? 1 : -1});
+    const Sides corners = sides(shape.corners, [&](PointId q) { return side(id, q); });
+    if (corners.positive != corners.negative) bounds.push_back({id, corners.positive ? 1 : -1});
   }
   return !bounds.empty() || !shape.is_solid;
 }

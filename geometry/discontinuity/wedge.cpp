@@ -25,7 +25,7 @@ class EdgeSearch {
       half_spaces_.push_back(kind == WedgeKind::edge_first ? h : reversed(h));
     }
     if (kind == WedgeKind::edge_first) half_spaces_.push_back(before_light(side));
-    scene_.shape_boxes.search(half_spaces_, found_);
+    find_boxes(scene_.shape_boxes, half_spaces_, found_);
     collect(vertex);
     return edges_;
   }
@@ -125,18 +125,6 @@ void wedges_in_facet_plane(const EventScene& scene, std::uint32_t f, const std::
   }
 }
 
-/// Sides of points of a plane: all on one closed side, the other, or both.
-struct Sides {
-  bool above = false;
-  bool below = false;
-
-  void add(int side) {
-    above = above || side > 0;
-    below = below || side < 0;
-  }
-  bool cut() const { return above && below; }
-};
-
 /// Side of the wedge's plane.
 int side_of(const EventScene& scene, const Wedge& wedge, PointId p) {
   if (p == wedge.apex || p == wedge.a || p == wedge.b) return 0;
@@ -144,11 +132,11 @@ int side_of(const EventScene& scene, const Wedge& wedge, PointId p) {
 }
 
 Extremal extremal(const EventScene& scene, const Wedge& wedge, const Shape& shape) {
-  Sides light, blocker;
-  for (const LightVertex& v : scene.light_vertices) light.add(side_of(scene, wedge, v.point));
-  for (const PointId p : shape.corners) blocker.add(side_of(scene, wedge, p));
-  if (light.cut() || blocker.cut()) return Extremal::none;
-  const bool same = (light.above && blocker.above) || (light.below && blocker.below);
+  const auto side = [&](PointId p) { return side_of(scene, wedge, p); };
+  const Sides light = sides(scene.light_vertices, [&](const LightVertex& v) { return side(v.point); });
+  const Sides blocker = sides(shape.corners, side);
+  if (light.cross() || blocker.cross()) return Extremal::none;
+  const bool same = (light.positive && blocker.positive) || (light.negative && blocker.negative);
   if (!same) return Extremal::occlusion;
   return wedge.far || wedge.kind == WedgeKind::from_light_vertex ? Extremal::umbra : Extremal::none;
 }
@@ -165,20 +153,19 @@ bool is_coplanar(const EventScene& scene, const Wedge& wedge) {
       if (e.a != wedge.apex && e.b != wedge.apex) continue;
       if (is_on_plane(scene, wedge, e.a == wedge.apex ? e.b : e.a)) return true;
     }
-    Sides light;
-    for (const LightVertex& v : scene.light_vertices) light.add(side_of(scene, wedge, v.point));
+    const Sides light =
+        sides(scene.light_vertices, [&](const LightVertex& v) { return side_of(scene, wedge, v.point); });
     const auto& faces = scene.edges[wedge.edge].faces;
-    return light.cut() && std::any_of(faces.begin(), faces.end(),
-                                      [&](const FaceAtEdge& f) { return is_on_plane(scene, wedge, f.third); });
+    return light.cross() && std::any_of(faces.begin(), faces.end(),
+                                        [&](const FaceAtEdge& f) { return is_on_plane(scene, wedge, f.third); });
   }
   for (const EdgeId e : scene.vertices[wedge.vertex].edges) {
     const BlockerEdge& edge = scene.edges[e];
     const PointId other = edge.a == wedge.apex ? edge.b : edge.a;
     if (!is_on_plane(scene, wedge, other)) continue;
     // Between two faces on either side the edge is no part of an outline.
-    Sides faces;
-    for (const FaceAtEdge& face : edge.faces) faces.add(side_of(scene, wedge, face.third));
-    if (!faces.cut()) return true;
+    const Sides faces = sides(edge.faces, [&](const FaceAtEdge& f) { return side_of(scene, wedge, f.third); });
+    if (!faces.cross()) return true;
   }
   return false;
 }

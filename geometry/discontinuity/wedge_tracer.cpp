@@ -66,13 +66,7 @@ void WedgeTracer::set_half_spaces(const Wedge& wedge) {
 /// An edge between two faces, one on either side, is no part of an outline.
 bool WedgeTracer::is_between_faces(const Pencil& pencil, const Wedge& wedge) const {
   if (wedge.kind == WedgeKind::from_light_edge) return false;
-  bool above = false, below = false;
-  for (const FaceAtEdge& face : scene_.edges[wedge.edge].faces) {
-    const int side = pencil.side(face.third);
-    above = above || side > 0;
-    below = below || side < 0;
-  }
-  return above && below;
+  return sides(scene_.edges[wedge.edge].faces, [&](const FaceAtEdge& f) { return pencil.side(f.third); }).cross();
 }
 
 WedgeTracer::Nodes WedgeTracer::light_section(Pencil& pencil) const {
@@ -127,7 +121,7 @@ bool WedgeTracer::subtract_towards_light(Pencil& pencil, const Wedge& wedge, Con
     region[2] = reversed(region[2]);
     region[3] = reversed(region[3]);
   }
-  scene_.shape_boxes.search(std::span(region).first(to_edge ? 5 : 4), found_);
+  find_boxes(scene_.shape_boxes, std::span(region).first(to_edge ? 5 : 4), found_);
   blocked_.clear();
   Nodes nodes;
   for (const std::uint32_t s : found_) {
@@ -189,7 +183,7 @@ bool WedgeTracer::collect_obstacles(Pencil& pencil, const Wedge& wedge, Cone con
     region[2] = reversed(region[2]);
     region[3] = reversed(region[3]);
   }
-  scene_.shape_boxes.search(std::span(region).first(4), found_);
+  find_boxes(scene_.shape_boxes, std::span(region).first(4), found_);
   obstacles_.clear();
   Nodes nodes;
   for (const std::uint32_t s : found_) {
@@ -299,7 +293,7 @@ bool WedgeTracer::begin(Pencil& pencil, const Wedge& wedge) {
     region[2] = reversed(region[2]);
     region[3] = reversed(region[3]);
   }
-  scene_.receiver_boxes.search(std::span(region).first(cone == Cone::towards ? 5 : 4), found_receivers_);
+  find_boxes(scene_.receiver_boxes, std::span(region).first(cone == Cone::towards ? 5 : 4), found_receivers_);
   return true;
 }
 

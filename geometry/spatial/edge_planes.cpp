@@ -23,15 +23,15 @@ enum class Touch { none, touches, on_line };
 
 /// The lowest index of the vertices that touch a plane through the edge from p to q. One inside a side touches if the
 /// side lies in the plane, but not on the edge's line.
-std::uint32_t lowest_touching(const Hull& hull, const std::vector<Touch>& touches, const Point3& p, const Point3& q) {
-  std::uint32_t lowest = Hull::none;
+std::uint32_t lowest_touching(const Body& body, const std::vector<Touch>& touches, const Point3& p, const Point3& q) {
+  std::uint32_t lowest = Body::none;
   for (std::uint32_t k = 0; k < touches.size(); ++k) {
-    if (touches[k] == Touch::touches) lowest = std::min(lowest, hull.index[k]);
+    if (touches[k] == Touch::touches) lowest = std::min(lowest, body.index[k]);
   }
-  for (const Hull::Edge& side : hull.edges) {
+  for (const Body::Edge& side : body.edges) {
     if (touches[side.from] == Touch::none || touches[side.to] == Touch::none) continue;
     for (std::uint32_t i = side.first_inside; i < side.last_inside; ++i) {
-      const auto& [index, point] = hull.inside[i];
+      const auto& [index, point] = body.inside[i];
       if (index < lowest && !CGAL::collinear(to_cgal(p), to_cgal(q), to_cgal(point))) lowest = index;
     }
   }
@@ -41,11 +41,11 @@ std::uint32_t lowest_touching(const Hull& hull, const std::vector<Touch>& touche
 /// One body with its edges, and the other that planes through the edges are to separate from it.
 class Separation {
  public:
-  Separation(const HullPair& pair, const Hull& edges, const Hull& corners)
+  Separation(const BodyPair& pair, const Body& edges, const Body& corners)
       : pair_(pair), body_(edges), other_(corners) {}
 
   /// The separating planes through one edge, with `body` on the negative side. `vertex_index` is unset in their names.
-  std::vector<HalfSpace> planes(const Hull::Edge& edge) const {
+  std::vector<HalfSpace> planes(const Body::Edge& edge) const {
     std::optional<std::uint32_t> least;
     std::optional<std::uint32_t> most;
     std::vector<Demand> demands(other_.corners.size());
@@ -63,12 +63,12 @@ class Separation {
   }
 
  private:
-  const Point3& from(const Hull::Edge& edge) const { return body_.corners[edge.from]; }
-  const Point3& to(const Hull::Edge& edge) const { return body_.corners[edge.to]; }
+  const Point3& from(const Body::Edge& edge) const { return body_.corners[edge.from]; }
+  const Point3& to(const Body::Edge& edge) const { return body_.corners[edge.to]; }
 
   /// Orientation of the edge and two corners. Of two that ask for `at_least` (of two that ask for `at_most`) b asks for
   /// more if it is positive (negative); a plane fits between at least a and at most b unless it is positive.
-  int turn(const Hull::Edge& edge, std::uint32_t a, std::uint32_t b) const {
+  int turn(const Body::Edge& edge, std::uint32_t a, std::uint32_t b) const {
     return a == b ? 0 : pair_.orientation(from(edge), to(edge), other_.corners[a], other_.corners[b]);
   }
 
@@ -78,7 +78,7 @@ class Separation {
                              other_.corners[k]);
   }
 
-  Demand demand(const Hull::Edge& edge, std::uint32_t k) const {
+  Demand demand(const Body::Edge& edge, std::uint32_t k) const {
     const int left = facet_side(edge.left, k);
     if (body_.flat) {
       return left > 0 ? Demand::at_most : left < 0 ? Demand::at_least : demand_in_plane(edge, k);
@@ -91,7 +91,7 @@ class Separation {
   }
 
   /// Of a corner in the plane of a flat body: it lies beyond the edge, on its line, or on the body's side of it.
-  Demand demand_in_plane(const Hull::Edge& edge, std::uint32_t k) const {
+  Demand demand_in_plane(const Body::Edge& edge, std::uint32_t k) const {
     std::uint32_t off = 0;
     while (facet_side(edge.left, off) == 0) ++off;
     const int corner = turn(edge, off, k);
@@ -101,7 +101,7 @@ class Separation {
     return corner == inner ? Demand::never : Demand::nothing;
   }
 
-  HalfSpace plane(const Hull::Edge& edge, std::uint32_t corner, const std::vector<Demand>& demands, int way) const {
+  HalfSpace plane(const Body::Edge& edge, std::uint32_t corner, const std::vector<Demand>& demands, int way) const {
     std::vector<Touch> touches(demands.size(), Touch::none);
     for (std::uint32_t k = 0; k < demands.size(); ++k) {
       if (demands[k] == Demand::on_line) {
@@ -111,7 +111,7 @@ class Separation {
       }
     }
     HalfSpace result;
-    if (edge.name != Hull::none) result.name.edge_index = edge.name;
+    if (edge.name != Body::none) result.name.edge_index = edge.name;
     result.name.vertex_index = lowest_touching(other_, touches, from(edge), to(edge));
     result.plane = {from(edge), to(edge), other_.corners[corner]};
     if (way > 0) std::swap(result.plane[0], result.plane[1]);
@@ -119,9 +119,9 @@ class Separation {
     return result;
   }
 
-  const HullPair& pair_;
-  const Hull& body_;
-  const Hull& other_;
+  const BodyPair& pair_;
+  const Body& body_;
+  const Body& other_;
 };
 
 HalfSpace reversed(HalfSpace half_space) {
@@ -130,7 +130,7 @@ HalfSpace reversed(HalfSpace half_space) {
 }
 
 /// Number of blocker corners on a plane.
-std::size_t touched(const HullPair& pair, const HalfSpace& half_space) {
+std::size_t touched(const BodyPair& pair, const HalfSpace& half_space) {
   const auto& plane = half_space.plane;
   const auto lies_on_it = [&](const Point3& corner) {
     return pair.orientation(plane[0], plane[1], plane[2], corner) == 0;
@@ -139,7 +139,7 @@ std::size_t touched(const HullPair& pair, const HalfSpace& half_space) {
 }
 
 /// The planes that hold a linear light and touch the blocker: at most two.
-std::vector<HalfSpace> tangent_planes(const HullPair& pair) {
+std::vector<HalfSpace> tangent_planes(const BodyPair& pair) {
   const Point3& p = pair.light.corners[0];
   const Point3& q = pair.light.corners[1];
   const std::vector<Point3>& corners = pair.blocker.corners;
@@ -174,10 +174,10 @@ std::vector<HalfSpace> tangent_planes(const HullPair& pair) {
 
 }  // namespace
 
-std::vector<HalfSpace> separating_blocker_planes(const HullPair& pair) {
+std::vector<HalfSpace> separating_blocker_planes(const BodyPair& pair) {
   const Separation separation(pair, pair.blocker, pair.light);
   std::vector<HalfSpace> result;
-  for (const Hull::Edge& edge : pair.blocker.edges) {
+  for (const Body::Edge& edge : pair.blocker.edges) {
     for (HalfSpace& plane : separation.planes(edge)) {
       plane.name.kind = FacetKind::separating_blocker_plane;
       result.push_back(plane);
@@ -186,13 +186,13 @@ std::vector<HalfSpace> separating_blocker_planes(const HullPair& pair) {
   return result;
 }
 
-std::vector<HalfSpace> separating_light_planes(const HullPair& pair) {
+std::vector<HalfSpace> separating_light_planes(const BodyPair& pair) {
   std::vector<HalfSpace> candidates;
   if (pair.light.edges.size() == 1) {
     candidates = tangent_planes(pair);
   } else {
     const Separation separation(pair, pair.light, pair.blocker);
-    for (const Hull::Edge& edge : pair.light.edges) {
+    for (const Body::Edge& edge : pair.light.edges) {
       for (const HalfSpace& plane : separation.planes(edge)) {
         candidates.push_back(reversed(plane));
         candidates.back().name.kind = FacetKind::separating_light_plane;
@@ -203,7 +203,7 @@ std::vector<HalfSpace> separating_light_planes(const HullPair& pair) {
   return candidates;
 }
 
-std::vector<HalfSpace> supporting_blocker_planes(const HullPair& pair, const std::vector<std::uint32_t>& corners) {
+std::vector<HalfSpace> supporting_blocker_planes(const BodyPair& pair, const std::vector<std::uint32_t>& corners) {
   const auto highest = [&](std::uint32_t facet) {
     int side = -1;
     for (const std::uint32_t j : corners) side = std::max(side, pair.facet_side(facet, j));
@@ -212,16 +212,16 @@ std::vector<HalfSpace> supporting_blocker_planes(const HullPair& pair, const std
   std::vector<int> seen(pair.blocker.facets.size());
   for (std::uint32_t f = 0; f < seen.size(); ++f) seen[f] = highest(f);
   std::vector<HalfSpace> result;
-  for (const Hull::Edge& edge : pair.blocker.edges) {
+  for (const Body::Edge& edge : pair.blocker.edges) {
     if (std::max(seen[edge.left], seen[edge.right]) <= 0 || std::min(seen[edge.left], seen[edge.right]) >= 0) continue;
     const bool left = seen[edge.left] > 0;
     const Point3& u = pair.blocker.corners[left ? edge.from : edge.to];
     const Point3& v = pair.blocker.corners[left ? edge.to : edge.from];
     const std::uint32_t facet = left ? edge.left : edge.right;
-    std::uint32_t extreme = Hull::none;
+    std::uint32_t extreme = Body::none;
     for (const std::uint32_t j : corners) {
       if (pair.facet_side(facet, j) <= 0) continue;
-      if (extreme == Hull::none || pair.orientation(u, v, pair.light.corners[extreme], pair.light.corners[j]) > 0) {
+      if (extreme == Body::none || pair.orientation(u, v, pair.light.corners[extreme], pair.light.corners[j]) > 0) {
         extreme = j;
       }
     }

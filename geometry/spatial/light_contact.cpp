@@ -20,7 +20,7 @@ Rational height(const ExactVector& a, const ExactVector& b, const ExactVector& c
 }
 
 /// The part of a convex polygon (segment, point) on the closed negative side of a facet's plane.
-std::vector<ExactVector> behind(const std::vector<ExactVector>& polygon, const HullPair& pair, std::uint32_t facet) {
+std::vector<ExactVector> behind(const std::vector<ExactVector>& polygon, const BodyPair& pair, std::uint32_t facet) {
   const ExactVector a = exact(pair.blocker.facet_point(facet, 0));
   const ExactVector b = exact(pair.blocker.facet_point(facet, 1));
   const ExactVector c = exact(pair.blocker.facet_point(facet, 2));
@@ -57,29 +57,21 @@ int dimension(const std::vector<ExactVector>& points) {
   return std::any_of(points.begin(), points.end(), off_line) ? 2 : 1;
 }
 
-int light_dimension(const HullPair& pair) {
+int light_dimension(const BodyPair& pair) {
   return static_cast<int>(std::min<std::size_t>(pair.light.corners.size() - 1, 2));
 }
 
-bool all_sides(const HullPair& pair, std::uint32_t facet, int least, int most) {
-  for (std::uint32_t j = 0; j < pair.light.corners.size(); ++j) {
-    const int side = pair.facet_side(facet, j);
-    if (side < least || side > most) return false;
-  }
-  return true;
-}
-
 /// The part of the light in a closed solid.
-std::vector<ExactVector> light_inside(const HullPair& pair) {
+std::vector<ExactVector> light_inside(const BodyPair& pair) {
   std::vector<ExactVector> part;
   for (const Point3& corner : pair.light.corners) part.push_back(exact(corner));
   for (std::uint32_t f = 0; f < pair.blocker.facets.size() && !part.empty(); ++f) {
-    if (!all_sides(pair, f, -1, 0)) part = behind(part, pair, f);
+    if (pair.light_sides(f).positive) part = behind(part, pair, f);
   }
   return part;
 }
 
-LightContact contact_with_solid(const HullPair& pair) {
+LightContact contact_with_solid(const BodyPair& pair) {
   LightContact contact;
   const auto facets = static_cast<std::uint32_t>(pair.blocker.facets.size());
   for (std::uint32_t j = 0; j < pair.light.corners.size(); ++j) {
@@ -88,7 +80,7 @@ LightContact contact_with_solid(const HullPair& pair) {
     if (outside) contact.corners_outside.push_back(j);
   }
   for (std::uint32_t f = 0; f < facets; ++f) {
-    if (all_sides(pair, f, 1, 1)) return contact;
+    if (pair.light_sides(f).all_positive()) return contact;
   }
   const std::vector<ExactVector> part = light_inside(pair);
   contact.meets = !part.empty();
@@ -100,7 +92,7 @@ LightContact contact_with_solid(const HullPair& pair) {
     };
     if (part.empty() || !std::all_of(part.begin(), part.end(), on_facet)) continue;
     in_facet = true;
-    const bool has_extent = all_sides(pair, f, 0, 0) && dimension(part) == light_dimension(pair);
+    const bool has_extent = pair.light_sides(f).all_zero() && dimension(part) == light_dimension(pair);
     if (has_extent) contact.shared_facets.push_back(f);
   }
   contact.meets_interior = contact.meets && !in_facet;
@@ -109,8 +101,8 @@ LightContact contact_with_solid(const HullPair& pair) {
 
 /// True if a corner of the light in the plane of a flat blocker lies in it: on the inner side of every edge. Sides are
 /// those of planes through the edges and a light corner off the plane.
-bool lies_in_polygon(const HullPair& pair, std::uint32_t off, std::uint32_t j) {
-  const Hull& blocker = pair.blocker;
+bool lies_in_polygon(const BodyPair& pair, std::uint32_t off, std::uint32_t j) {
+  const Body& blocker = pair.blocker;
   const auto size = static_cast<std::uint32_t>(blocker.corners.size());
   for (std::uint32_t k = 0; k < size; ++k) {
     const Point3& u = blocker.corners[k];
@@ -122,7 +114,7 @@ bool lies_in_polygon(const HullPair& pair, std::uint32_t off, std::uint32_t j) {
   return true;
 }
 
-LightContact contact_with_polygon(const HullPair& pair) {
+LightContact contact_with_polygon(const BodyPair& pair) {
   LightContact contact;
   std::uint32_t off = 0;
   while (pair.facet_side(0, off) == 0) ++off;
@@ -138,7 +130,7 @@ LightContact contact_with_polygon(const HullPair& pair) {
 
 }  // namespace
 
-LightContact light_contact(const HullPair& pair) {
+LightContact light_contact(const BodyPair& pair) {
   return pair.blocker.flat ? contact_with_polygon(pair) : contact_with_solid(pair);
 }
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/spatial/hull_pair.h"
+#include "geometry/spatial/body_pair.h"
 
 namespace gnomon {
 
@@ -18,6 +18,6 @@ struct LightContact {
 };
 
 /// Requires: light and blocker not in one plane; the light not at infinity.
-LightContact light_contact(const HullPair& pair);
+LightContact light_contact(const BodyPair& pair);
 
 }  // namespace gnomon

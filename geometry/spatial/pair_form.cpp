@@ -13,12 +13,12 @@ bool is_flat(const Light& light) {
   return !area || area->polygon.is_flat();
 }
 
-Position directional_position(const HullPair& pair) {
+Position directional_position(const BodyPair& pair) {
   return pair.blocker.flat && pair.facet_side(0, 0) == 0 ? Position::coplanar : Position::standard;
 }
 
 /// On which sides of the light's plane the blocker lies; in front of a light that is not flat and not behind all of it.
-Sides blocker_sides(const HullPair& pair) {
+Sides blocker_sides(const BodyPair& pair) {
   Sides result;
   for (const Point3& corner : pair.blocker.corners) {
     Sides of_corner;
@@ -31,13 +31,13 @@ Sides blocker_sides(const HullPair& pair) {
   return result;
 }
 
-Position hull_position(const HullPair& pair, bool one_sided) {
+Position body_position(const BodyPair& pair, bool one_sided) {
   const bool has_area = pair.light.corners.size() > 2;
   const Sides of_blocker = has_area ? blocker_sides(pair) : Sides{};
   if (has_area && pair.light.flat && one_sided && !of_blocker.positive) return Position::behind_light;
   Sides of_light;
   if (pair.blocker.flat) {
-    for (std::uint32_t j = 0; j < pair.light.corners.size(); ++j) of_light.add(pair.facet_side(0, j));
+    of_light = pair.light_sides(0);
     if (of_light.all_zero()) return Position::coplanar;
   } else {
     const LightContact contact = light_contact(pair);
@@ -50,27 +50,20 @@ Position hull_position(const HullPair& pair, bool one_sided) {
   return of_light.zero || of_blocker.zero ? Position::touching : Position::standard;
 }
 
-/// True if all points lie strictly outside the plane of a facet.
-bool are_outside(const HullPair& pair, const Hull& body, std::uint32_t facet, const std::vector<Point3>& points) {
-  return std::all_of(points.begin(), points.end(), [&](const Point3& p) {
-    return pair.orientation(body.facet_point(facet, 0), body.facet_point(facet, 1), body.facet_point(facet, 2), p) > 0;
-  });
-}
-
 /// True if the plane of a facet of one holds the two strictly apart.
-bool stand_apart(const HullPair& pair) {
+bool stand_apart(const BodyPair& pair) {
   for (std::uint32_t f = 0; f < pair.blocker.facets.size(); ++f) {
-    if (are_outside(pair, pair.blocker, f, pair.light.corners)) return true;
+    if (pair.light_sides(f).all_positive()) return true;
   }
   for (std::uint32_t f = 0; f < pair.light.facets.size(); ++f) {
-    if (are_outside(pair, pair.light, f, pair.blocker.corners)) return true;
+    if (pair.blocker_sides(f).all_positive()) return true;
   }
   return false;
 }
 
 /// True if the blocker lies strictly in front of every triangle of the fan from a light's first vertex, by which such a
 /// light is lit and unlit.
-bool is_in_front(const HullPair& pair, const ConvexPolygon& light) {
+bool is_in_front(const BodyPair& pair, const ConvexPolygon& light) {
   const std::span<const Point3> points = light.points();
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
     for (const Point3& corner : pair.blocker.corners) {
@@ -97,23 +90,23 @@ PairForm::PairForm(const Light& light, const ConvexBlocker& blocker) : light_(&l
   if (*position_ == Position::standard) standard_ = standard_pair(light, *polygon, sides);
 }
 
-HullPair& PairForm::hulls() {
-  if (!hulls_) hulls_.emplace(hull(*light_), hull(*blocker_));
-  return *hulls_;
+BodyPair& PairForm::bodies() {
+  if (!bodies_) bodies_.emplace(body(*light_), body(*blocker_));
+  return *bodies_;
 }
 
 Position PairForm::position() {
   if (position_) return *position_;
   const auto* area = std::get_if<AreaLight>(light_);
-  position_ = std::holds_alternative<DirectionalLight>(*light_) ? directional_position(hulls())
-                                                                : hull_position(hulls(), area && !area->two_sided);
+  position_ = std::holds_alternative<DirectionalLight>(*light_) ? directional_position(bodies())
+                                                                : body_position(bodies(), area && !area->two_sided);
   return *position_;
 }
 
 bool PairForm::is_supported() {
   if (is_flat(*light_)) return true;
   const auto& area = std::get<AreaLight>(*light_);
-  return stand_apart(hulls()) && (area.two_sided || is_in_front(hulls(), area.polygon));
+  return stand_apart(bodies()) && (area.two_sided || is_in_front(bodies(), area.polygon));
 }
 
 Position pair_position(const Light& light, const ConvexBlocker& blocker) {

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "geometry/spatial/hull_pair.h"
+#include "geometry/spatial/body_pair.h"
 #include "geometry/spatial/pair.h"
 
 namespace gnomon {
@@ -30,14 +30,14 @@ class PairForm {
   const std::optional<StandardPair>& standard() const { return standard_; }
 
   /// Any pair.
-  HullPair& hulls();
+  BodyPair& bodies();
 
  private:
   const Light* light_;
   const ConvexBlocker* blocker_;
   std::optional<Position> position_;
   std::optional<StandardPair> standard_;
-  std::optional<HullPair> hulls_;
+  std::optional<BodyPair> bodies_;
 };
 
 }  // namespace gnomon

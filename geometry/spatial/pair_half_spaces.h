@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/spatial/hull_pair.h"
+#include "geometry/spatial/body_pair.h"
 #include "gnomon/shadow_volume.h"
 
 namespace gnomon {
@@ -30,6 +30,6 @@ struct PairHalfSpaces {
 /// Exactness:  signs of orientation determinants of input points; where the light reaches into a solid, exact
 ///             arithmetic on points constructed on the light.
 /// After:      [P93] §5.2.3; theory S6, S9, S11.
-PairHalfSpaces pair_half_spaces(const HullPair& pair, const Light& light);
+PairHalfSpaces pair_half_spaces(const BodyPair& pair, const Light& light);
 
 }  // namespace gnomon

@@ -7,12 +7,10 @@
 namespace gnomon {
 namespace {
 
-Sides sides(const OrientationFilter& orientation, const ConvexPolygon& polygon, std::span<const Point3> points) {
+Sides sides_of(const OrientationFilter& orientation, const ConvexPolygon& polygon, std::span<const Point3> points) {
   const auto corner = [&](std::uint32_t k) { return polygon.points()[polygon.corners()[k]]; };
   const OrientationFilter::Plane plane = orientation.plane(corner(0), corner(1), corner(2));
-  Sides result;
-  for (const Point3& p : points) result.add(plane.side(p));
-  return result;
+  return sides(points, [&](const Point3& p) { return plane.side(p); });
 }
 
 void require_flat(const Light& light, const ConvexPolygon& blocker) {
@@ -28,7 +26,7 @@ PairSides loose_light_sides(std::span<const Point3> light, const ConvexPolygon& 
   result.orientation.include(light);
   result.orientation.include(blocker.points());
   result.orientation.close();
-  result.light = sides(result.orientation, blocker, light);
+  result.light = sides_of(result.orientation, blocker, light);
   return result;
 }
 
@@ -45,7 +43,7 @@ PairSides pair_sides(const Light& light, const ConvexPolygon& blocker) {
   }
   const ConvexPolygon& polygon = std::get<AreaLight>(light).polygon;
   PairSides result = loose_light_sides(polygon.points(), blocker);
-  result.blocker = sides(result.orientation, polygon, blocker.points());
+  result.blocker = sides_of(result.orientation, polygon, blocker.points());
   return result;
 }
 

@@ -13,10 +13,10 @@ struct PreparedPair {
   PairHalfSpaces half_spaces;
   std::optional<StandardPair> standard;  ///< with its contacts, where the occlusion has a form known beforehand
   std::optional<StandardContacts> contacts;
-  std::optional<HullPair> hulls;  ///< elsewhere
+  std::optional<BodyPair> bodies;  ///< elsewhere
 
-  bool has_penumbra() const { return standard ? standard->light.size() > 1 : hulls->light.corners.size() > 1; }
-  bool has_solid() const { return hulls && !hulls->blocker.flat; }
+  bool has_penumbra() const { return standard ? standard->light.size() > 1 : bodies->light.corners.size() > 1; }
+  bool has_solid() const { return bodies && !bodies->blocker.flat; }
 };
 
 /// Requires: light and blocker outlive the result; the form is theirs.

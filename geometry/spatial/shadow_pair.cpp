@@ -16,8 +16,8 @@ PreparedPair prepared_pair(const Light& light, PairForm form) {
     result.contacts.emplace(*result.standard);
     result.half_spaces = standard_half_spaces(*result.standard, *result.contacts);
   } else {
-    result.hulls = std::move(form.hulls());
-    result.half_spaces = pair_half_spaces(*result.hulls, light);
+    result.bodies = std::move(form.bodies());
+    result.half_spaces = pair_half_spaces(*result.bodies, light);
   }
   return result;
 }

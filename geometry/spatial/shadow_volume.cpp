@@ -53,8 +53,8 @@ ShadowVolumes volumes_of(PreparedPair pair, const Light& light, const ConvexBloc
   ShadowVolumes volumes;
   PairHalfSpaces& half_spaces = pair.half_spaces;
   volumes.planes = pair.standard ? extremal_planes(*pair.standard) : named_planes(half_spaces);
-  if (!pair.hulls) pair.hulls.emplace(hull(light), hull(blocker));
-  const VolumeExtents extents = volume_extents(*pair.hulls, half_spaces);
+  if (!pair.bodies) pair.bodies.emplace(body(light), body(blocker));
+  const VolumeExtents extents = volume_extents(*pair.bodies, half_spaces);
   volumes.occlusion_facts = extents.occlusion;
   volumes.umbra_facts = extents.umbra;
   volumes.penumbra_facts = extents.penumbra;
@@ -67,7 +67,7 @@ ShadowVolumes volumes_of(PreparedPair pair, const Light& light, const ConvexBloc
 ConvexVolume convex_hull_shadow_volume(const Light& light, const ConvexBlocker& blocker) {
   PairForm form(light, blocker);
   if (!form.is_supported()) throw PreconditionError(unsupported_pair);
-  PairHalfSpaces half_spaces = pair_half_spaces(form.hulls(), light);
+  PairHalfSpaces half_spaces = pair_half_spaces(form.bodies(), light);
   return {std::move(half_spaces.occlusion), half_spaces.occlusion_empty};
 }
 

@@ -39,7 +39,7 @@ double coordinate(const Point3& p, std::uint32_t axis) {
 
 /// Bounds, wide of the mark, of (b - apex)_axis / (h(apex) - h(b)) over the blocker's corners b, h being the height
 /// above the downward plane: the slopes of a pyramid about the shadow of the apex.
-std::array<double, 2> slopes(const ExactSpace& space, const Hull& blocker, const Point3& apex, std::uint32_t axis,
+std::array<double, 2> slopes(const ExactSpace& space, const Body& blocker, const Point3& apex, std::uint32_t axis,
                              int scale) {
   double low = HUGE_VAL;
   double high = -HUGE_VAL;
@@ -64,7 +64,7 @@ int scale_of(const ExactSpace& space, const Point3& apex) {
 
 /// A polyhedron about the shadow of the apex, without bound in the direction of the shadow: it lies below the downward
 /// plane, inside four planes through the apex.
-ConvexPolyhedron pyramid(ExactSpace& space, const Hull& blocker, const Point3& apex) {
+ConvexPolyhedron pyramid(ExactSpace& space, const Body& blocker, const Point3& apex) {
   const std::array<std::uint32_t, 2> axes = lateral_axes(space);
   const int scale = scale_of(space, apex);
   std::array<std::array<PlaneId, 2>, 2> sides;
@@ -147,7 +147,7 @@ std::uint32_t pieces_inside_occlusion(const ShadowPlanes& planes, const PairHalf
 }
 
 /// For each corner of the blocker: it is strictly inside the light's planes that bound the umbra.
-std::vector<bool> corners_in_front(const HullPair& pair, const PairHalfSpaces& half_spaces) {
+std::vector<bool> corners_in_front(const BodyPair& pair, const PairHalfSpaces& half_spaces) {
   std::vector<bool> result(pair.blocker.corners.size(), true);
   for (const HalfSpace& half_space : half_spaces.umbra) {
     if (half_space.name.kind != FacetKind::light_plane) continue;
@@ -161,11 +161,11 @@ std::vector<bool> corners_in_front(const HullPair& pair, const PairHalfSpaces& h
 
 /// Connected pieces of a solid's boundary inside the umbra: facets in none of its planes, joined at edges; of both what
 /// lies in front of the light.
-std::uint32_t umbra_pockets(const HullPair& pair, const PairHalfSpaces& half_spaces) {
+std::uint32_t umbra_pockets(const BodyPair& pair, const PairHalfSpaces& half_spaces) {
   if (pair.blocker.flat) return 0;
   const std::vector<bool> in_front = corners_in_front(pair, half_spaces);
   std::vector<bool> counts;
-  for (const Hull::Facet& facet : pair.blocker.facets) {
+  for (const Body::Facet& facet : pair.blocker.facets) {
     counts.push_back(std::any_of(facet.loop.begin(), facet.loop.end(), [&](std::uint32_t k) { return in_front[k]; }));
   }
   for (const HalfSpace& half_space : half_spaces.umbra) {
@@ -174,22 +174,11 @@ std::uint32_t umbra_pockets(const HullPair& pair, const PairHalfSpaces& half_spa
     }
   }
   boost::disjoint_sets_with_storage<> groups(counts.size());
-  for (const Hull::Edge& edge : pair.blocker.edges) {
+  for (const Body::Edge& edge : pair.blocker.edges) {
     if (!counts[edge.left] || !counts[edge.right]) continue;
     if (in_front[edge.from] || in_front[edge.to]) groups.union_set(edge.left, edge.right);
   }
   return number_of_sets(groups, counts);
-}
-
-bool light_crosses_blocker_plane(const HullPair& pair) {
-  if (!pair.blocker.flat) return false;
-  bool front = false;
-  bool back = false;
-  for (std::uint32_t j = 0; j < pair.light.corners.size(); ++j) {
-    front = front || pair.facet_side(0, j) > 0;
-    back = back || pair.facet_side(0, j) < 0;
-  }
-  return front && back;
 }
 
 /// A corner of the light outside the blocker, and a facet it sees.
@@ -198,7 +187,7 @@ struct Viewpoint {
   std::uint32_t facet;
 };
 
-std::optional<Viewpoint> viewpoint(const HullPair& pair) {
+std::optional<Viewpoint> viewpoint(const BodyPair& pair) {
   for (std::uint32_t j = 0; j < pair.light.corners.size(); ++j) {
     if (const auto facet = facet_seen(pair, j)) return Viewpoint{j, *facet};
   }
@@ -207,10 +196,10 @@ std::optional<Viewpoint> viewpoint(const HullPair& pair) {
 
 /// The umbra and the penumbra where the umbra has an interior and a light of several points a corner outside the
 /// blocker.
-void measure_umbra(const HullPair& pair, const PairHalfSpaces& half_spaces, const Viewpoint& view,
+void measure_umbra(const BodyPair& pair, const PairHalfSpaces& half_spaces, const Viewpoint& view,
                    VolumeExtents& extents) {
   const CGAL::Protect_FPU_rounding<true> protection;
-  const Hull& blocker = pair.blocker;
+  const Body& blocker = pair.blocker;
   const HalfSpace seen{
       {FacetKind::blocker_face, {}, blocker.flat ? std::nullopt : std::optional(view.facet)},
       {blocker.facet_point(view.facet, 0), blocker.facet_point(view.facet, 1), blocker.facet_point(view.facet, 2)}};
@@ -225,14 +214,14 @@ void measure_umbra(const HullPair& pair, const PairHalfSpaces& half_spaces, cons
 
 }  // namespace
 
-std::optional<std::uint32_t> facet_seen(const HullPair& pair, std::uint32_t j) {
+std::optional<std::uint32_t> facet_seen(const BodyPair& pair, std::uint32_t j) {
   for (std::uint32_t f = 0; f < pair.blocker.facets.size(); ++f) {
     if (pair.facet_side(f, j) > 0) return f;
   }
   return std::nullopt;
 }
 
-VolumeExtents volume_extents(const HullPair& pair, const PairHalfSpaces& half_spaces) {
+VolumeExtents volume_extents(const BodyPair& pair, const PairHalfSpaces& half_spaces) {
   VolumeExtents extents;
   if (half_spaces.occlusion_empty) return extents;
   extents.occlusion = {false, false, 1};
@@ -242,7 +231,7 @@ VolumeExtents volume_extents(const HullPair& pair, const PairHalfSpaces& half_sp
     extents.umbra_pockets = umbra_pockets(pair, half_spaces);
     if (view && !pair.light.at_infinity) measure_umbra(pair, half_spaces, *view, extents);
   } else {
-    extents.penumbra.components = light_crosses_blocker_plane(pair) ? 2 : 1;
+    extents.penumbra.components = pair.blocker.flat && pair.light_sides(0).cross() ? 2 : 1;
   }
   extents.penumbra.empty = extents.penumbra.components == 0;
   extents.penumbra.bounded = extents.penumbra.empty;

@@ -19,9 +19,9 @@ struct VolumeExtents {
 ///             boundary inside the occlusion; of the umbra without a solid: as many as there are connected pieces of
 ///             the solid's boundary inside the umbra. A light that crosses the plane of a flat blocker makes two.
 /// Exactness:  exact throughout.
-VolumeExtents volume_extents(const HullPair& pair, const PairHalfSpaces& half_spaces);
+VolumeExtents volume_extents(const BodyPair& pair, const PairHalfSpaces& half_spaces);
 
 /// A facet of the blocker that light corner j sees from its front, or nothing: it is a point of the blocker.
-std::optional<std::uint32_t> facet_seen(const HullPair& pair, std::uint32_t j);
+std::optional<std::uint32_t> facet_seen(const BodyPair& pair, std::uint32_t j);
 
 }  // namespace gnomon

@@ -3,18 +3,15 @@
 /// What a BlockerSet consists of. Private to this folder.
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
+#include "geometry/bodies/box_hierarchy.h"
 #include "geometry/visibility/blocker_set.h"
 #include "geometry/visibility/outline.h"
 #include "gnomon/blocker.h"
 
 namespace gnomon {
-
-/// A hierarchy of boxes; only its .cpp knows the library behind it.
-class BoxTree;
 
 /// The pyramid with its apex in the eye and its base on the light's plane.
 struct LightPyramid {
@@ -48,7 +45,7 @@ struct BlockerSet::Content {
   std::vector<Mate> mates;  ///< of the edges that start at the points; none where several blockers have an edge
   std::vector<Shape> shapes;
   std::vector<ConvexSolid> solids;
-  std::shared_ptr<const BoxTree> tree;
+  BoxHierarchy boxes;  ///< of the shapes; empty where these are few
   double largest = 0;  ///< absolute coordinate
 
   std::span<const Point3> corners(const Shape& shape) const { return {points.data() + shape.first, shape.count}; }

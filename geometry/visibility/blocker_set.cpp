@@ -7,7 +7,6 @@
 
 #include "geometry/bodies/boxes.h"
 #include "geometry/visibility/blocker_content.h"
-#include "geometry/visibility/box_tree.h"
 
 namespace gnomon {
 namespace {
@@ -81,6 +80,62 @@ void find_mates(BlockerSet::Content& content) {
   }
 }
 
+/// Largest value of dot(normal, x - apex) over the box, and the size of its farthest corner.
+struct Reach {
+  double value;
+  double size;
+};
+
+Reach reach(const Box3& box, const Point3& apex, const sight::Vector& normal) {
+  const sight::Vector low{box.min.x - apex.x, box.min.y - apex.y, box.min.z - apex.z};
+  const sight::Vector high{box.max.x - apex.x, box.max.y - apex.y, box.max.z - apex.z};
+  const sight::Vector far{normal.x > 0 ? high.x : low.x, normal.y > 0 ? high.y : low.y, normal.z > 0 ? high.z : low.z};
+  return {dot(normal, far), std::max(sight::size_of(low), sight::size_of(high))};
+}
+
+/// A box is outside if a plane of the pyramid says so with more than the rounding of its normal, of the differences and
+/// of the product: `side_bound` times the size, as for a single ray.
+bool may_meet(const Box3& box, const LightPyramid& pyramid) {
+  for (const sight::Plane& plane : pyramid.sides) {
+    const Reach out = reach(box, pyramid.apex, plane.normal);
+    if (out.value < -(plane.side_bound * out.size + sight::tiny)) return false;
+  }
+  const sight::Vector& forward = pyramid.base.normal;
+  const Reach deepest = reach(box, pyramid.apex, forward);
+  const double bound = pyramid.base.depth_error(deepest.size, sight::unit * deepest.size);
+  if (deepest.value < -bound) return false;
+  const Reach nearest = reach(box, pyramid.apex, {-forward.x, -forward.y, -forward.z});
+  return -nearest.value <= pyramid.base.height + pyramid.base.height_error + bound;
+}
+
+/// A line of sight, as shares of the way along it.
+struct Way {
+  Point3 from;
+  sight::Vector step;
+  double last = 1;  ///< share at which it ends
+};
+
+/// Cuts the shares to those in a slab. Bound. Differences and quotient are rounded: 3 u of a share, and what
+/// underflows. False if none is left.
+bool cut_to_slab(double low, double high, double step, double& first, double& last) {
+  if (step == 0) return low <= 0 && high >= 0;
+  const double a = low / step;
+  const double b = high / step;
+  const double enter = std::min(a, b);
+  const double leave = std::max(a, b);
+  first = std::max(first, enter - 8 * sight::unit * std::fabs(enter) - sight::tiny);
+  last = std::min(last, leave + 8 * sight::unit * std::fabs(leave) + sight::tiny);
+  return first <= last;
+}
+
+bool may_meet(const Box3& box, const Way& way) {
+  double first = 0;
+  double last = way.last;
+  return cut_to_slab(box.min.x - way.from.x, box.max.x - way.from.x, way.step.x, first, last) &&
+         cut_to_slab(box.min.y - way.from.y, box.max.y - way.from.y, way.step.y, first, last) &&
+         cut_to_slab(box.min.z - way.from.z, box.max.z - way.from.z, way.step.z, first, last);
+}
+
 }  // namespace
 
 BlockerSet::BlockerSet(std::span<const ConvexBlocker> blockers) {
@@ -94,7 +149,7 @@ BlockerSet::BlockerSet(std::span<const ConvexBlocker> blockers) {
     std::visit([&](const auto& shape) { append(*content, shape); }, blocker);
   }
   find_mates(*content);
-  if (blockers.size() >= smallest_tree) content->tree = box_tree(boxes);
+  if (blockers.size() >= smallest_tree) content->boxes = BoxHierarchy(std::move(boxes));
   content_ = std::move(content);
 }
 
@@ -103,24 +158,24 @@ std::size_t BlockerSet::size() const {
 }
 
 void BlockerSet::Content::collect(const LightPyramid& pyramid, std::vector<std::uint32_t>& found) const {
-  if (!tree) return collect_all(found);
-  found.clear();
-  append_boxes_in(*tree, pyramid, found);
+  if (boxes.empty()) return collect_all(found);
+  boxes.search([&](const Box3& box) { return may_meet(box, pyramid); }, found);
   std::sort(found.begin(), found.end());
 }
 
 void BlockerSet::Content::collect_along(const SightLine& line, std::vector<std::uint32_t>& found) const {
-  if (!tree) return collect_all(found);
-  found.clear();
-  append_boxes_along(*tree, line, found);
+  if (boxes.empty()) return collect_all(found);
+  const Point3 origin = line.ends ? line.from : Point3{0, 0, 0};
+  const Way way{line.from, sight::operator-(line.to, origin), line.ends ? 1 : HUGE_VAL};
+  boxes.search([&](const Box3& box) { return may_meet(box, way); }, found);
 }
 
 void BlockerSet::Content::collect_near(const Point3& p, std::vector<std::uint32_t>& found) const {
-  if (!tree) return collect_all(found);
-  found.clear();
+  if (boxes.empty()) return collect_all(found);
   const double size = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
   const double off = 16 * sight::unit * size;
-  append_boxes_near(*tree, {{p.x - off, p.y - off, p.z - off}, {p.x + off, p.y + off, p.z + off}}, found);
+  const Box3 near{{p.x - off, p.y - off, p.z - off}, {p.x + off, p.y + off, p.z + off}};
+  boxes.search([&](const Box3& box) { return overlap(box, near); }, found);
   std::sort(found.begin(), found.end());
 }
 

@@ -1,11 +1,12 @@
 #pragma once
 
-/// A hierarchy of boxes, searched with half-spaces. Private to this folder.
+/// Half-spaces in doubles, by which boxes are searched. Private to this folder.
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "geometry/bodies/box_hierarchy.h"
 #include "geometry/numbers/vector3.h"
 #include "gnomon/point.h"
 
@@ -45,29 +46,9 @@ RoughHalfSpace turned_to(const RoughHalfSpace& plane, const Point3& inside);
 /// True if the point certainly lies outside.
 bool is_outside(const RoughHalfSpace& half_space, const Point3& point);
 
-/// Boxes by number.
-class BoxHierarchy {
- public:
-  BoxHierarchy() = default;
-  explicit BoxHierarchy(std::vector<Box3> boxes);
-
-  /// Replaces `found` by the numbers of all boxes that meet all half-spaces, and some others, in no order.
-  /// Exactness: conservative; a box is left out only where it lies outside of one half-space beyond all rounding.
-  void search(std::span<const RoughHalfSpace> half_spaces, std::vector<std::uint32_t>& found) const;
-
-  const Box3& box(std::uint32_t i) const { return boxes_[i]; }
-
- private:
-  struct Branch {
-    Box3 box;
-    std::uint32_t first = 0;  ///< leaf: first in order_; else the first child
-    std::uint32_t count = 0;  ///< leaf: number of boxes; else 0
-  };
-  void build(std::uint32_t branch, std::uint32_t first, std::uint32_t last);
-
-  std::vector<Box3> boxes_;
-  std::vector<std::uint32_t> order_;
-  std::vector<Branch> branches_;
-};
+/// Replaces `found` by the numbers of all boxes that meet all half-spaces, and some others, in no order.
+/// Exactness: conservative; a box is left out only where it lies outside of one half-space beyond all rounding.
+void find_boxes(const BoxHierarchy& boxes, std::span<const RoughHalfSpace> half_spaces,
+                std::vector<std::uint32_t>& found);
 
 }  // namespace gnomon::event

@@ -8,9 +8,9 @@
 
 namespace gnomon {
 
-/// A light or a blocker as the algorithms of a pair see it: corners, edges and facets of its convex hull. One or two
+/// A light or a blocker as the algorithms of a pair see it: corners, edges and facets of its convex body. One or two
 /// points have no facets; a flat polygon has two, its front and its back; the rest are polytopes.
-struct Hull {
+struct Body {
   static constexpr std::uint32_t none = ~0u;
 
   /// An edge. Orientation: the facet `left` runs from -> to, the facet `right` to -> from, seen from outside. The
@@ -45,7 +45,7 @@ struct Hull {
   const Point3& facet_point(std::uint32_t facet, std::uint32_t k) const { return corners[facets[facet].loop[k]]; }
 };
 
-Hull hull(const Light& light);
-Hull hull(const ConvexBlocker& blocker);
+Body body(const Light& light);
+Body body(const ConvexBlocker& blocker);
 
 }  // namespace gnomon

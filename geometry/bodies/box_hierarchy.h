@@ -1,0 +1,56 @@
+#pragma once
+
+/// A hierarchy of boxes, searched with anything that can tell whether a box may meet it: half-spaces, a pyramid, a
+/// line, another box.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "gnomon/point.h"
+
+namespace gnomon {
+
+/// Boxes by number.
+class BoxHierarchy {
+ public:
+  BoxHierarchy() = default;
+  explicit BoxHierarchy(std::vector<Box3> boxes);
+
+  bool empty() const { return branches_.empty(); }
+
+  /// Replaces `found` by the numbers of all boxes that may meet what is searched with, and some others, in no order.
+  /// Requires: `may_meet(box)` is true if it is true of some box inside.
+  template <class MayMeet>
+  void search(const MayMeet& may_meet, std::vector<std::uint32_t>& found) const {
+    found.clear();
+    if (empty()) return;
+    std::array<std::uint32_t, 128> stack{};
+    std::size_t depth = 1;
+    while (depth > 0) {
+      const Branch& branch = branches_[stack[--depth]];
+      if (!may_meet(branch.box)) continue;
+      for (std::uint32_t i = 0; i < branch.count; ++i) {
+        const std::uint32_t n = order_[branch.first + i];
+        if (branch.count == 1 || may_meet(boxes_[n])) found.push_back(n);
+      }
+      if (branch.count > 0) continue;
+      stack[depth++] = branch.first;
+      stack[depth++] = branch.first + 1;
+    }
+  }
+
+ private:
+  struct Branch {
+    Box3 box;
+    std::uint32_t first = 0;  ///< leaf: first in order_; else the first child
+    std::uint32_t count = 0;  ///< leaf: number of boxes; else 0
+  };
+  void build(std::uint32_t branch, std::uint32_t first, std::uint32_t last);
+
+  std::vector<Box3> boxes_;
+  std::vector<std::uint32_t> order_;
+  std::vector<Branch> branches_;
+};
+
+}  // namespace gnomon
