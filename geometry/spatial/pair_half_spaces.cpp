@@ -5,17 +5,12 @@
 #include <map>
 #include <tuple>
 
-#include "geometry/spatial/edge_planes.h"
 #include "geometry/spatial/light_contact.h"
+#include "geometry/spatial/occlusion_volume.h"
+#include "geometry/spatial/umbra_volume.h"
 
 namespace gnomon {
 namespace {
-
-HalfSpace facet_half_space(const BodyPair& pair, std::uint32_t facet) {
-  const auto index = pair.blocker.flat ? std::nullopt : std::optional(facet);
-  return {{FacetKind::blocker_face, {}, index},
-          {pair.blocker.facet_point(facet, 0), pair.blocker.facet_point(facet, 1), pair.blocker.facet_point(facet, 2)}};
-}
 
 /// The half-space in front of a facet of the light.
 HalfSpace front_half_space(const BodyPair& pair, std::uint32_t facet) {
@@ -34,41 +29,6 @@ std::vector<HalfSpace> light_half_spaces(const BodyPair& pair, bool one_sided) {
     const bool crosses = f == 0 && one_sided && pair.light.flat && blocker.negative;
     if (touches_from_front || crosses) result.push_back(front_half_space(pair, f));
   }
-  return result;
-}
-
-void append(std::vector<HalfSpace>& to, const std::vector<HalfSpace>& from) {
-  to.insert(to.end(), from.begin(), from.end());
-}
-
-std::vector<HalfSpace> occlusion_half_spaces(const BodyPair& pair, const std::vector<HalfSpace>& light_planes) {
-  std::vector<HalfSpace> result;
-  for (std::uint32_t f = 0; f < pair.blocker.facets.size(); ++f) {
-    if (!pair.light_sides(f).negative) result.push_back(facet_half_space(pair, f));
-  }
-  append(result, separating_blocker_planes(pair));
-  append(result, separating_light_planes(pair));
-  append(result, light_planes);
-  return result;
-}
-
-/// True if the umbra of a flat blocker has an interior: the corners outside it lie strictly on one side.
-bool has_flat_umbra(const BodyPair& pair, const std::vector<std::uint32_t>& outside) {
-  return pair.light_sides(0, outside).strictly_on_one_side();
-}
-
-std::vector<HalfSpace> umbra_half_spaces(const BodyPair& pair, const LightContact& contact,
-                                         const std::vector<HalfSpace>& light_planes) {
-  std::vector<HalfSpace> result;
-  const auto& touching = contact.shared_facets;
-  for (std::uint32_t f = 0; f < pair.blocker.facets.size(); ++f) {
-    const Sides outside = pair.light_sides(f, contact.corners_outside);
-    if (outside.positive || outside.zero || std::find(touching.begin(), touching.end(), f) != touching.end()) {
-      result.push_back(facet_half_space(pair, f));
-    }
-  }
-  append(result, supporting_blocker_planes(pair, contact.corners_outside));
-  append(result, light_planes);
   return result;
 }
 
@@ -115,7 +75,30 @@ std::vector<std::uint32_t> shared_half_spaces(const BodyPair& pair, const PairHa
   return shared;
 }
 
+HalfSpace blocker_half_space(const StandardPair& pair, std::uint32_t k, const TouchedCorners& touched, FacetKind kind) {
+  const BlockerPlane plane = blocker_plane(pair, k, touched);
+  return {{kind, number(plane.edge), number(plane.vertex)},
+          {pair.blocker.corner(k), pair.blocker.corner(pair.blocker.next(k)), pair.light.corner(touched.first)}};
+}
+
+HalfSpace light_half_space(const StandardPair& pair, const LightSideContact& contact) {
+  const LightPlane plane = light_plane(pair, contact);
+  return {{FacetKind::separating_light_plane, number(plane.edge), number(plane.vertex)},
+          {pair.light.corner(contact.light_side), pair.light.corner(pair.light.next(contact.light_side)),
+           pair.blocker.corner(contact.blocker_corner)}};
+}
+
 }  // namespace
+
+HalfSpace facet_half_space(const BodyPair& pair, std::uint32_t facet) {
+  const auto index = pair.blocker.flat ? std::nullopt : std::optional(facet);
+  return {{FacetKind::blocker_face, {}, index},
+          {pair.blocker.facet_point(facet, 0), pair.blocker.facet_point(facet, 1), pair.blocker.facet_point(facet, 2)}};
+}
+
+void append(std::vector<HalfSpace>& to, const std::vector<HalfSpace>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
 
 PairHalfSpaces pair_half_spaces(const BodyPair& pair, const Light& light) {
   const auto* area = std::get_if<AreaLight>(&light);
@@ -132,11 +115,47 @@ PairHalfSpaces pair_half_spaces(const BodyPair& pair, const Light& light) {
   } else {
     contact = light_contact(pair);
   }
-  result.umbra_empty = pair.blocker.flat && !has_flat_umbra(pair, contact.corners_outside);
+  result.umbra_empty = !has_umbra(pair, contact);
   if (result.umbra_empty) return result;
   result.umbra = umbra_half_spaces(pair, contact, light_planes);
   result.shared = shared_half_spaces(pair, result);
   return result;
+}
+
+StandardContacts::StandardContacts(const StandardPair& pair)
+    : separating(separating_contacts(pair)),
+      supporting(supporting_contacts(pair)),
+      light_sides(separating_light_contacts(pair, separating)) {}
+
+PairHalfSpaces standard_half_spaces(const StandardPair& pair, const StandardContacts& contacts) {
+  const std::uint32_t size = pair.blocker.size();
+  const HalfSpace face{{FacetKind::blocker_face},
+                       {pair.blocker.corner(0), pair.blocker.corner(1), pair.blocker.corner(2)}};
+  PairHalfSpaces result;
+  result.occlusion.reserve(1 + size + contacts.light_sides.size());
+  result.umbra.reserve(1 + size);
+  result.shared.reserve(1 + size);
+  result.occlusion.push_back(face);
+  result.umbra.push_back(face);
+  result.shared.push_back(0);
+  for (std::uint32_t k = 0; k < size; ++k) {
+    using enum FacetKind;
+    const TouchedCorners& supporting = contacts.supporting[k];
+    result.occlusion.push_back(blocker_half_space(pair, k, contacts.separating[k], separating_blocker_plane));
+    result.umbra.push_back(blocker_half_space(pair, k, supporting, supporting_blocker_plane));
+    result.shared.push_back(supporting.holds_light ? 1 + k : PairHalfSpaces::none);
+  }
+  for (const LightSideContact& contact : contacts.light_sides) {
+    result.occlusion.push_back(light_half_space(pair, contact));
+  }
+  return result;
+}
+
+std::vector<VertexId> standard_corners(ExactSpace& space, const StandardPair& pair) {
+  std::vector<VertexId> corners;
+  corners.reserve(pair.blocker.size());
+  for (std::uint32_t k = 0; k < pair.blocker.size(); ++k) corners.push_back(space.add_point(pair.blocker.corner(k)));
+  return corners;
 }
 
 }  // namespace gnomon

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "geometry/spatial/body_pair.h"
+#include "geometry/spatial/exact_space.h"
+#include "geometry/spatial/pair.h"
 #include "gnomon/shadow_volume.h"
 
 namespace gnomon {
@@ -31,5 +33,29 @@ struct PairHalfSpaces {
 ///             arithmetic on points constructed on the light.
 /// After:      [P93] §5.2.3; theory S6, S9, S11.
 PairHalfSpaces pair_half_spaces(const BodyPair& pair, const Light& light);
+
+/// The half-space behind a facet of the blocker.
+HalfSpace facet_half_space(const BodyPair& pair, std::uint32_t facet);
+
+void append(std::vector<HalfSpace>& to, const std::vector<HalfSpace>& from);
+
+/// The contacts of a pair in standard position.
+struct StandardContacts {
+  explicit StandardContacts(const StandardPair& pair);
+
+  std::vector<TouchedCorners> separating;     ///< for each blocker side
+  std::vector<TouchedCorners> supporting;     ///< for each blocker side
+  std::vector<LightSideContact> light_sides;  ///< from separating_light_contacts
+};
+
+/// The half-spaces of a pair in standard position, from one walk around both rings.
+///
+/// Returns: occlusion: the blocker's face, one half-space for each blocker side, those of the light sides in the order
+///          of the walk; umbra: the blocker's face, one half-space for each blocker side.
+/// Cost:    O(n + m).
+PairHalfSpaces standard_half_spaces(const StandardPair& pair, const StandardContacts& contacts);
+
+/// The blocker's corners, in the order of its ring.
+std::vector<VertexId> standard_corners(ExactSpace& space, const StandardPair& pair);
 
 }  // namespace gnomon

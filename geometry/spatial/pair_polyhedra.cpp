@@ -2,16 +2,22 @@
 
 #include <algorithm>
 
+#include "geometry/spatial/occlusion_volume.h"
+#include "geometry/spatial/umbra_volume.h"
+
 namespace gnomon {
 namespace {
 
-HalfSpace solid_facet_half_space(const BodyPair& pair, std::uint32_t facet) {
-  return {{FacetKind::blocker_face, {}, facet},
-          {pair.blocker.facet_point(facet, 0), pair.blocker.facet_point(facet, 1), pair.blocker.facet_point(facet, 2)}};
+/// The half-space behind a facet, of flat blockers too with the facet's number: front and back have one plane, but two
+/// half-spaces.
+HalfSpace numbered_facet_half_space(const BodyPair& pair, std::uint32_t facet) {
+  HalfSpace half_space = facet_half_space(pair, facet);
+  half_space.name.vertex_index = facet;
+  return half_space;
 }
 
 HalfSpace first_half_space(const PreparedPair& pair) {
-  return pair.standard ? pair.half_spaces.occlusion.front() : solid_facet_half_space(*pair.bodies, 0);
+  return pair.standard ? pair.half_spaces.occlusion.front() : numbered_facet_half_space(*pair.bodies, 0);
 }
 
 /// The sides of a box, those first that face the shadow of a pair most: what reaches infinity ends there, and little is
@@ -72,7 +78,7 @@ std::vector<ConvexPolyhedron> penumbra_cells(const PreparedPair& pair, PairPolyh
 ConvexPolyhedron solid_in_umbra(const PreparedPair& pair, PairPolyhedra& polyhedra) {
   std::vector<PlaneId> planes;
   for (std::uint32_t f = 0; f < pair.bodies->blocker.facets.size(); ++f) {
-    planes.push_back(polyhedra.planes.space.add_plane(solid_facet_half_space(*pair.bodies, f)));
+    planes.push_back(polyhedra.planes.space.add_plane(numbered_facet_half_space(*pair.bodies, f)));
   }
   return part_inside(polyhedra.planes.space, polyhedra.umbra, planes);
 }

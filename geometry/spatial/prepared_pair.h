@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "geometry/spatial/pair_form.h"
-#include "geometry/spatial/standard_occlusion.h"
+#include "geometry/spatial/pair_half_spaces.h"
 #include "gnomon/shadow_mesh.h"
 
 namespace gnomon {

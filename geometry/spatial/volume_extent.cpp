@@ -200,10 +200,7 @@ void measure_umbra(const BodyPair& pair, const PairHalfSpaces& half_spaces, cons
                    VolumeExtents& extents) {
   const CGAL::Protect_FPU_rounding<true> protection;
   const Body& blocker = pair.blocker;
-  const HalfSpace seen{
-      {FacetKind::blocker_face, {}, blocker.flat ? std::nullopt : std::optional(view.facet)},
-      {blocker.facet_point(view.facet, 0), blocker.facet_point(view.facet, 1), blocker.facet_point(view.facet, 2)}};
-  ShadowPlanes planes(half_spaces, seen);
+  ShadowPlanes planes(half_spaces, facet_half_space(pair, view.facet));
   const ConvexPolyhedron about = pyramid(planes.space, blocker, pair.light.corners[view.corner]);
   const ConvexPolyhedron umbra = part_inside(planes.space, about, planes.umbra);
   extents.umbra.bounded = !reaches_infinity(planes.space, umbra);
