@@ -102,8 +102,10 @@ ExitCode discontinuities_command(Arguments arguments) {
   require_place("--json", options.json, OutputKind::json);
   require_free_folder(options.out);
   const Scene scene = scene_file_with_warnings(options.scene);
-  const DiscontinuityResult result =
-      scene_surfaces(scene, options.light, clip_box(scene, options.box), {options.threads, !options.quiet});
+  const Box3 box = clip_box(scene, options.box);
+  const DivisionPlan plan = division_plan(scene, {options.light, {}}, DivisionOf::surfaces);
+  tell_left_out(plan);
+  const DiscontinuityResult result = scene_surfaces(plan, box, {options.threads, !options.quiet});
   std::vector<std::filesystem::path> files;
   if (!options.out.empty()) {
     files = write_discontinuities(result, DiscontinuityOutput::discontinuities, options.out, formats);

@@ -80,7 +80,9 @@ std::string receivers_summary(const DiscontinuityResult& result) {
 ExitCode write_all(const ReceiversOptions& options, const std::vector<OutputFormat>& formats, const Scene& scene) {
   const VertexFractions fractions = options.out.empty() ? VertexFractions::left_out : VertexFractions::worked_out;
   const Effort effort{options.threads, !options.quiet};
-  DiscontinuityResult result = divided_receivers(scene, {options.light, options.receiver}, fractions, effort);
+  const DivisionPlan plan = division_plan(scene, {options.light, options.receiver}, DivisionOf::receivers);
+  tell_left_out(plan);
+  DiscontinuityResult result = divided_receivers(plan, fractions, effort);
   std::vector<std::filesystem::path> files;
   if (!options.out.empty()) {
     result.clip_box = clip_box(scene, options.box);

@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <optional>
-#include <span>
+#include <string_view>
 #include <utility>
 #include <variant>
 
 #include "apps/gnomon/console.h"
 #include "apps/gnomon/element_choice.h"
 #include "apps/gnomon/receiver_rows.h"
-#include "geometry/bodies/closed_surface.h"
-#include "geometry/discontinuity/event_range.h"
 #include "geometry/parallel.h"
 #include "geometry/scene/scene_points.h"
 #include "gnomon/scene.h"
@@ -18,143 +16,95 @@
 namespace gnomon {
 namespace {
 
-const SpaceScene& space_of(const Scene& scene) {
-  if (const auto* space = std::get_if<SpaceScene>(&scene)) return *space;
-  throw UnsupportedError("discontinuities on receivers need a scene of dimension 3");
-}
-
-std::string range_refusal(const std::string& element, std::span<const Point3> points) {
-  if (std::all_of(points.begin(), points.end(), is_in_event_range)) return {};
-  return element +
-         " has a coordinate that is not zero and smaller than 2^-200 (6.2e-61) or larger than 2^200 (1.6e60); "
-         "receivers are divided for coordinates in between";
-}
-
 /// Why the scene's numbers are not supported; empty if they are.
 std::string range_refusal(const SpaceScene& scene) {
   std::string refusal;
-  const auto look = [&](const std::string& element, std::span<const Point3> points) {
-    if (refusal.empty()) refusal = range_refusal(element, points);
+  const auto look = [&](std::string_view kind, const std::string& name, std::string_view found) {
+    if (refusal.empty() && !found.empty()) refusal = std::string(kind) + " '" + name + "' " + std::string(found);
   };
-  for (const SceneLight& light : scene.lights) {
-    look("light '" + light.name + "'", light_points(light.shape));
-    if (const auto* parallel = std::get_if<DirectionalLight>(&light.shape)) {
-      look("light '" + light.name + "'", {&parallel->direction, 1});
-    }
-  }
-  for (const SceneBlocker& blocker : scene.blockers) {
-    look("blocker '" + blocker.name + "'", blocker_points(blocker.shape));
-  }
-  for (const SceneReceiver& receiver : scene.receivers) {
-    look("receiver '" + receiver.name + "'", receiver.shape.points());
-  }
+  for (const SceneLight& l : scene.lights) look("light", l.name, range_refusal(l.shape));
+  for (const SceneBlocker& b : scene.blockers) look("blocker", b.name, range_refusal(blocker_points(b.shape)));
+  for (const SceneReceiver& r : scene.receivers) look("receiver", r.name, range_refusal(r.shape.points()));
   return refusal;
 }
 
-/// Why a light is not supported; empty if it is.
-std::string refusal(const SceneLight& light, const SceneBodies& bodies) {
-  const auto* area = std::get_if<AreaLight>(&light.shape);
-  if (area && !area->polygon.is_flat()) return "its vertices are not exactly coplanar";
-  for (const Point3& p : light_points(light.shape)) {
-    for (const ClosedSurface& surface : bodies.obstacles.enclosures) {
-      if (is_strictly_inside(p, surface)) return "it lies inside a closed mesh";
-    }
-  }
-  return {};
-}
-
-/// The lights asked for that are supported, by their index, and why others are not.
-struct LightChoice {
-  std::vector<std::uint32_t> supported;
+/// Adds the lights asked for that are supported; why others are not.
+std::string choose_lights(DivisionPlan& plan, const std::string& name) {
+  const std::vector<SceneLight>& lights = plan.space->lights;
+  require_name("--light", "light", name, lights);
   std::string reasons;
-};
-
-LightChoice light_choice(const SpaceScene& scene, const std::string& name, const SceneBodies& bodies) {
-  require_name("--light", "light", name, scene.lights);
-  LightChoice choice;
-  for (std::uint32_t l = 0; l < scene.lights.size(); ++l) {
-    const SceneLight& light = scene.lights[l];
-    if (!is_asked_for(name, light.name)) continue;
-    const std::string reason = refusal(light, bodies);
+  for (std::uint32_t l = 0; l < lights.size(); ++l) {
+    if (!is_asked_for(name, lights[l].name)) continue;
+    const std::string_view reason = division_refusal(lights[l].shape, plan.bodies.obstacles.enclosures);
     if (reason.empty()) {
-      choice.supported.push_back(l);
+      plan.lights.push_back(l);
     } else {
-      choice.reasons += (choice.reasons.empty() ? "light '" : "; light '") + light.name + "': " + reason;
+      reasons += (reasons.empty() ? "light '" : "; light '") + lights[l].name + "': " + std::string(reason);
     }
   }
-  return choice;
+  return reasons;
 }
 
-/// The lights asked for that are supported; the others are warned of.
-std::vector<std::uint32_t> supported_lights(const SpaceScene& scene, const std::string& name,
-                                            const SceneBodies& bodies) {
-  LightChoice choice = light_choice(scene, name, bodies);
-  if (choice.supported.empty() && !choice.reasons.empty()) throw UnsupportedError(scene.source + ": " + choice.reasons);
-  if (!choice.reasons.empty()) print_warning(choice.reasons);
-  return std::move(choice.supported);
-}
-
-bool is_chosen(const SceneReceiver& receiver, const std::string& name) {
-  return name.empty() || receiver.is_called(name);
-}
-
-/// Asked for and flat.
-bool is_divided(const SceneReceiver& receiver, const std::string& name) {
-  return is_chosen(receiver, name) && receiver.shape.is_flat();
-}
-
-/// Warns of the receivers asked for that are not flat.
-void warn_of_rounded(const SpaceScene& scene, const std::string& asked_for) {
-  for (const SceneReceiver& receiver : scene.receivers) {
-    if (receiver.shape.is_flat() || !is_chosen(receiver, asked_for)) continue;
-    print_warning("receiver '" + receiver.name + "' is left out: its vertices are not exactly coplanar");
+void choose_receivers(DivisionPlan& plan, const std::string& name) {
+  const std::vector<SceneReceiver>& receivers = plan.space->receivers;
+  require_receiver("--receiver", name, receivers);
+  for (std::uint32_t r = 0; r < receivers.size(); ++r) {
+    if (!name.empty() && !receivers[r].is_called(name)) continue;
+    const std::string_view reason = division_refusal(receivers[r].shape);
+    if (reason.empty()) {
+      plan.receivers.push_back(r);
+    } else {
+      plan.left_out.push_back("receiver '" + receivers[r].name + "' is left out: " + std::string(reason));
+    }
   }
 }
 
-/// Why nothing that is asked for can be divided; empty if something can.
-std::string division_refusal(const SpaceScene& scene, const SceneBodies& bodies, const ReceiverSelection& selection) {
-  const std::string range = range_refusal(scene);
-  if (!range.empty()) return range;
-  const LightChoice choice = light_choice(scene, selection.light, bodies);
-  if (choice.supported.empty() && !choice.reasons.empty()) return choice.reasons;
-  const bool any = std::any_of(scene.receivers.begin(), scene.receivers.end(),
-                               [&](const SceneReceiver& receiver) { return is_divided(receiver, selection.receiver); });
-  return any ? "" : "no receiver asked for has exactly coplanar vertices";
-}
-
-DiscontinuityResult divided_receivers(const Scene& scene, const SceneBodies& bodies, const ReceiverSelection& selection,
-                                      VertexFractions fractions, const Effort& effort) {
-  using enum Progress::Visibility;
-  const SpaceScene& space = space_of(scene);
-  if (const std::string refusal = range_refusal(space); !refusal.empty()) {
-    throw UnsupportedError(space.source + ": " + refusal);
-  }
-  require_receiver("--receiver", selection.receiver, space.receivers);
-  const std::vector<std::uint32_t> lights = supported_lights(space, selection.light, bodies);
-  warn_of_rounded(space, selection.receiver);
+std::vector<ConvexPolygon> receivers_of(const DivisionPlan& plan) {
   std::vector<ConvexPolygon> receivers;
-  std::vector<std::uint32_t> ids;
-  for (std::uint32_t r = 0; r < space.receivers.size(); ++r) {
-    if (!is_divided(space.receivers[r], selection.receiver)) continue;
-    receivers.push_back(space.receivers[r].shape);
-    ids.push_back(r);
+  for (const std::uint32_t r : plan.receivers) receivers.push_back(plan.space->receivers[r].shape);
+  return receivers;
+}
+
+}  // namespace
+
+DivisionPlan division_plan(const Scene& scene, const ReceiverSelection& selection, DivisionOf subject) {
+  const auto* space = std::get_if<SpaceScene>(&scene);
+  if (!space) throw UnsupportedError("discontinuities on receivers need a scene of dimension 3");
+  DivisionPlan plan{&scene, space, scene_bodies(*space), {}, {}, {}, {}};
+  if (subject == DivisionOf::receivers) plan.refusal = range_refusal(*space);
+  const std::string lights_left_out = choose_lights(plan, selection.light);
+  if (!lights_left_out.empty()) plan.left_out.push_back(lights_left_out);
+  if (plan.lights.empty() && plan.refusal.empty()) plan.refusal = lights_left_out;
+  choose_receivers(plan, selection.receiver);
+  const bool lacks_receivers = plan.receivers.empty() && !space->receivers.empty();
+  if (subject == DivisionOf::receivers && lacks_receivers && plan.refusal.empty()) {
+    plan.refusal = "no receiver asked for has exactly coplanar vertices";
   }
-  if (ids.empty() && !space.receivers.empty()) {
-    throw UnsupportedError(space.source + ": no receiver asked for has exactly coplanar vertices");
-  }
-  DiscontinuityResult result{&scene, {}, bodies.names, bodies.blocker_ids};
-  Progress progress("receiver", lights.size() * ids.size(), effort.shows_progress ? automatic : hidden);
+  return plan;
+}
+
+void tell_left_out(const DivisionPlan& plan) {
+  if (!plan.refusal.empty()) throw UnsupportedError(plan.space->source + ": " + plan.refusal);
+  for (const std::string& sentence : plan.left_out) print_warning(sentence);
+}
+
+DiscontinuityResult divided_receivers(const DivisionPlan& plan, VertexFractions fractions, const Effort& effort) {
+  using enum Progress::Visibility;
+  const std::vector<ConvexPolygon> receivers = receivers_of(plan);
+  DiscontinuityResult result{plan.scene, {}, plan.bodies.names, plan.bodies.blocker_ids};
+  Progress progress("receiver", plan.lights.size() * receivers.size(), effort.shows_progress ? automatic : hidden);
   // Receivers are shared among threads, and few receivers each among several.
   const unsigned threads = thread_count(effort.threads);
-  const unsigned for_each = std::max(1U, threads / static_cast<unsigned>(std::max<std::size_t>(1, ids.size())));
-  for (const std::uint32_t l : lights) {
-    const ReceiverDivision division(space.lights[l].shape, bodies.obstacles.blockers, receivers, threads);
-    std::vector<std::optional<ReceiverResult>> made(ids.size());
-    for_all(ids.size(), threads, [&](std::size_t i, std::size_t) {
+  const unsigned for_each = std::max(1U, threads / static_cast<unsigned>(std::max<std::size_t>(1, receivers.size())));
+  for (const std::uint32_t l : plan.lights) {
+    const SceneLight& light = plan.space->lights[l];
+    const ReceiverDivision division(light.shape, plan.bodies.obstacles.blockers, receivers, threads);
+    std::vector<std::optional<ReceiverResult>> made(receivers.size());
+    for_all(receivers.size(), threads, [&](std::size_t i, std::size_t) {
       const auto r = static_cast<std::uint32_t>(i);
-      const SceneReceiver& receiver = space.receivers[ids[i]];
-      made[i] =
-          ReceiverResult{l, ids[i], space.lights[l].name, receiver.name, division.mesh(r, for_each), {}, receiver.side};
+      const SceneReceiver& receiver = plan.space->receivers[plan.receivers[i]];
+      made[i] = ReceiverResult{l,  plan.receivers[i], light.name, receiver.name, division.mesh(r, for_each),
+                               {}, receiver.side};
       if (fractions == VertexFractions::worked_out) {
         made[i]->visible_fractions = division.visible_fractions(r, made[i]->mesh, for_each);
       }
@@ -165,45 +115,31 @@ DiscontinuityResult divided_receivers(const Scene& scene, const SceneBodies& bod
   return result;
 }
 
-}  // namespace
-
-DiscontinuityResult divided_receivers(const Scene& scene, const ReceiverSelection& selection, VertexFractions fractions,
-                                      const Effort& effort) {
-  return divided_receivers(scene, scene_bodies(space_of(scene)), selection, fractions, effort);
-}
-
 std::vector<ReceiverResult> receivers_beside_volumes(const Scene& scene, const ReceiverSelection& selection,
                                                      const Effort& effort) {
   const auto* space = std::get_if<SpaceScene>(&scene);
   require_receiver("--receiver", selection.receiver, space ? space->receivers : std::vector<SceneReceiver>{});
   if (!space || space->receivers.empty() || space->lights.empty()) return {};
-  const SceneBodies bodies = scene_bodies(*space);
-  if (const std::string refusal = division_refusal(*space, bodies, selection); !refusal.empty()) {
-    print_warning("receivers are not divided into regions: " + refusal);
+  const DivisionPlan plan = division_plan(scene, selection, DivisionOf::receivers);
+  if (!plan.refusal.empty()) {
+    print_warning("receivers are not divided into regions: " + plan.refusal);
     return {};
   }
-  return divided_receivers(scene, bodies, selection, VertexFractions::left_out, effort).receivers;
+  tell_left_out(plan);
+  return divided_receivers(plan, VertexFractions::left_out, effort).receivers;
 }
 
-DiscontinuityResult scene_surfaces(const Scene& scene, const std::string& light, const Box3& box,
-                                   const Effort& effort) {
+DiscontinuityResult scene_surfaces(const DivisionPlan& plan, const Box3& box, const Effort& effort) {
   using enum Progress::Visibility;
-  const SpaceScene& space = space_of(scene);
-  const SceneBodies bodies = scene_bodies(space);
-  const std::vector<std::uint32_t> lights = supported_lights(space, light, bodies);
-  warn_of_rounded(space, {});
-  std::vector<ConvexPolygon> receivers;
-  for (const SceneReceiver& receiver : space.receivers) {
-    if (is_divided(receiver, {})) receivers.push_back(receiver.shape);
-  }
-  Progress progress("light", lights.size(), effort.shows_progress ? automatic : hidden);
-  std::vector<SurfaceResult> made(lights.size());
-  for_all(lights.size(), thread_count(effort.threads), [&](std::size_t i, std::size_t) {
-    const SceneLight& l = space.lights[lights[i]];
-    made[i] = {lights[i], l.name, discontinuity_surfaces(l.shape, bodies.obstacles.blockers, receivers, box)};
+  const std::vector<ConvexPolygon> receivers = receivers_of(plan);
+  Progress progress("light", plan.lights.size(), effort.shows_progress ? automatic : hidden);
+  std::vector<SurfaceResult> made(plan.lights.size());
+  for_all(made.size(), thread_count(effort.threads), [&](std::size_t i, std::size_t) {
+    const SceneLight& l = plan.space->lights[plan.lights[i]];
+    made[i] = {plan.lights[i], l.name, discontinuity_surfaces(l.shape, plan.bodies.obstacles.blockers, receivers, box)};
     progress.step();
   });
-  return {&scene, box, bodies.names, bodies.blocker_ids, {}, std::move(made)};
+  return {plan.scene, box, plan.bodies.names, plan.bodies.blocker_ids, {}, std::move(made)};
 }
 
 }  // namespace gnomon

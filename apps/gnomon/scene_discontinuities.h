@@ -17,23 +17,40 @@ struct ReceiverSelection {
 /// Whether the visible fraction is worked out at every vertex.
 enum class VertexFractions { left_out, worked_out };
 
-/// Every receiver asked for, divided by what it receives of every light asked for; light by light.
-///
-/// Requires: the scene outlives the result.
-/// Throws:   UsageError for a name that the scene does not have; UnsupportedError if nothing of it is supported. What
-///           is not supported beside others is warned of.
-DiscontinuityResult divided_receivers(const Scene& scene, const ReceiverSelection& selection, VertexFractions fractions,
-                                      const Effort& effort);
+/// What is made of a scene: divided receivers, or the surfaces that divide them.
+enum class DivisionOf { receivers, surfaces };
 
-/// The same for pictures and beside volumes: whatever is not supported is left out, with a warning.
+/// What of a scene is asked for and supported. The scene outlives it.
+struct DivisionPlan {
+  const Scene* scene;
+  const SpaceScene* space;
+  SceneBodies bodies;
+  std::vector<std::uint32_t> lights;     ///< indices into the scene's
+  std::vector<std::uint32_t> receivers;  ///< the same
+  std::string refusal;                   ///< why nothing can be made; empty if something can
+  std::vector<std::string> left_out;     ///< what is not supported beside what is, and why
+};
+
+/// Throws: UsageError for a name that the scene does not have; UnsupportedError for a scene of the plane.
+DivisionPlan division_plan(const Scene& scene, const ReceiverSelection& selection, DivisionOf subject);
+
+/// Warns of what is left out. Throws: UnsupportedError if nothing can be made.
+void tell_left_out(const DivisionPlan& plan);
+
+/// The receivers of a plan, divided by what they receive of its lights; light by light.
+///
+/// Requires: the plan of receivers has no refusal; the scene outlives the result.
+DiscontinuityResult divided_receivers(const DivisionPlan& plan, VertexFractions fractions, const Effort& effort);
+
+/// The same for pictures and beside volumes: whatever is not supported is left out, with a warning beforehand.
 ///
 /// Throws: UsageError for a name that the scene does not have.
 std::vector<ReceiverResult> receivers_beside_volumes(const Scene& scene, const ReceiverSelection& selection,
                                                      const Effort& effort);
 
-/// The discontinuity surfaces of every light asked for, cut by a box.
+/// The discontinuity surfaces of a plan's lights, cut by a box.
 ///
-/// Throws: as divided_receivers.
-DiscontinuityResult scene_surfaces(const Scene& scene, const std::string& light, const Box3& box, const Effort& effort);
+/// Requires: the plan of surfaces has no refusal; the scene outlives the result.
+DiscontinuityResult scene_surfaces(const DivisionPlan& plan, const Box3& box, const Effort& effort);
 
 }  // namespace gnomon

@@ -91,7 +91,20 @@ struct BodyOf {
   Body operator()(const ConvexSolid& blocker) const { return solid_body(blocker); }
 };
 
+struct PointsOf {
+  std::vector<Point3> operator()(const PointLight& light) const { return {light.position}; }
+  std::vector<Point3> operator()(const DirectionalLight&) const { return {}; }
+  std::vector<Point3> operator()(const LinearLight& light) const { return {light.start, light.end}; }
+  std::vector<Point3> operator()(const AreaLight& light) const {
+    return {light.polygon.points().begin(), light.polygon.points().end()};
+  }
+};
+
 }  // namespace
+
+std::vector<Point3> light_points(const Light& light) {
+  return std::visit(PointsOf{}, light);
+}
 
 Body body(const Light& light) {
   return std::visit(BodyOf{}, light);

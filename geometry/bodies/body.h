@@ -45,6 +45,9 @@ struct Body {
   const Point3& facet_point(std::uint32_t facet, std::uint32_t k) const { return corners[facets[facet].loop[k]]; }
 };
 
+/// The vertices of a light; none for a directional light.
+std::vector<Point3> light_points(const Light& light);
+
 Body body(const Light& light);
 Body body(const ConvexBlocker& blocker);
 

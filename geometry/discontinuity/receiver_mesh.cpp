@@ -5,7 +5,6 @@
 #include <map>
 #include <memory>
 
-#include "geometry/discontinuity/event_range.h"
 #include "geometry/discontinuity/face_labels.h"
 #include "geometry/discontinuity/horizon_traces.h"
 #include "geometry/discontinuity/light_before.h"
@@ -179,29 +178,16 @@ event::VertexShadows vertex_shadows(const EventScene& scene) {
   return event::VertexShadows(scene);
 }
 
-/// Of smaller coordinates the arrangement of segments is not to be trusted.
-void require_range(std::span<const Point3> points) {
-  if (std::all_of(points.begin(), points.end(), is_in_event_range)) return;
-  throw PreconditionError("a coordinate is too small or too large for receivers to be divided");
-}
-
-void require_range(const Light& light) {
-  if (const auto* area = std::get_if<AreaLight>(&light)) return require_range(area->polygon.points());
-  if (const auto* linear = std::get_if<LinearLight>(&light)) {
-    require_range({&linear->start, 1});
-    require_range({&linear->end, 1});
-  }
-  if (const auto* point = std::get_if<PointLight>(&light)) require_range({&point->position, 1});
-  if (const auto* parallel = std::get_if<DirectionalLight>(&light)) require_range({&parallel->direction, 1});
-}
-
 void require_range(const Light& light, std::span<const ConvexBlocker> blockers,
                    std::span<const ConvexPolygon> receivers) {
-  require_range(light);
+  const auto require = [](std::string_view refusal) {
+    if (!refusal.empty()) throw PreconditionError("a light, blocker or receiver " + std::string(refusal));
+  };
+  require(range_refusal(light));
   for (const ConvexBlocker& blocker : blockers) {
-    std::visit([](const auto& shape) { require_range(shape.points()); }, blocker);
+    require(std::visit([](const auto& shape) { return range_refusal(shape.points()); }, blocker));
   }
-  for (const ConvexPolygon& receiver : receivers) require_range(receiver.points());
+  for (const ConvexPolygon& receiver : receivers) require(range_refusal(receiver.points()));
 }
 
 /// Intervals are true only while results are rounded upwards.

@@ -45,12 +45,6 @@ bool is_interval(double min, double max) {
 }
 
 struct PointsOf {
-  std::vector<Point3> operator()(const PointLight& light) const { return {light.position}; }
-  std::vector<Point3> operator()(const DirectionalLight&) const { return {}; }
-  std::vector<Point3> operator()(const LinearLight& light) const { return {light.start, light.end}; }
-  std::vector<Point3> operator()(const AreaLight& light) const {
-    return {light.polygon.points().begin(), light.polygon.points().end()};
-  }
   std::span<const Point3> operator()(const ConvexPolygon& polygon) const { return polygon.points(); }
   std::span<const Point3> operator()(const Polytope& polytope) const { return polytope.vertices; }
   std::span<const Point3> operator()(const ConcavePolygon& polygon) const { return polygon.vertices; }
@@ -58,10 +52,6 @@ struct PointsOf {
 };
 
 }  // namespace
-
-std::vector<Point3> light_points(const Light& light) {
-  return std::visit(PointsOf{}, light);
-}
 
 std::span<const Point3> blocker_points(const BlockerShape& shape) {
   return std::visit(PointsOf{}, shape);

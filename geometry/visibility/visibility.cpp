@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "geometry/bodies/body.h"
 #include "geometry/bodies/closed_surface.h"
 #include "geometry/visibility/prepared_obstacles.h"
 #include "geometry/visibility/reach.h"
@@ -14,17 +15,8 @@
 namespace gnomon {
 namespace {
 
-/// The light's vertices; none for a direction.
-std::vector<Point3> vertices(const Light& light) {
-  if (const auto* point = std::get_if<PointLight>(&light)) return {point->position};
-  if (const auto* linear = std::get_if<LinearLight>(&light)) return {linear->start, linear->end};
-  const auto* area = std::get_if<AreaLight>(&light);
-  if (!area) return {};
-  return {area->polygon.points().begin(), area->polygon.points().end()};
-}
-
 std::vector<std::vector<HidingCondition>> hidden_sets(const Light& light, const Obstacles& obstacles, const Point3& p) {
-  const std::vector<Point3> points = vertices(light);
+  const std::vector<Point3> points = light_points(light);
   std::vector<std::vector<HidingCondition>> hidden;
   for (const ConvexBlocker& blocker : obstacles.blockers) {
     if (points.empty() || may_hide(blocker, p, points)) hidden.push_back(hiding_conditions(blocker, exact(p)));
@@ -39,7 +31,7 @@ std::span<const Point3> shape_points(const ConvexBlocker& blocker) {
 std::vector<std::vector<HidingCondition>> hidden_sets(const Light& light, const Obstacles& obstacles,
                                                       const ReceiverPoint& receiver, const ExactPlane& plane) {
   const LimitPoint p{exact(receiver.point), plane.normal};
-  const std::vector<Point3> points = vertices(light);
+  const std::vector<Point3> points = light_points(light);
   std::vector<std::vector<HidingCondition>> hidden;
   for (std::uint32_t b = 0; b < obstacles.blockers.size(); ++b) {
     const ConvexBlocker& blocker = obstacles.blockers[b];

@@ -151,13 +151,22 @@ class ReceiverMesh {
   std::shared_ptr<const Data> data_;
 };
 
+/// What stands against dividing receivers, in words for people that follow the name of the light, blocker or receiver;
+/// empty if nothing does. With one coordinate out of range no receiver of the scene is divided.
+std::string_view range_refusal(const Light& light);
+std::string_view range_refusal(std::span<const Point3> points);
+
+/// What stands against dividing receivers by this light, or against dividing this receiver; empty if nothing does.
+std::string_view division_refusal(const Light& light, std::span<const ClosedSurface> enclosures = {});
+std::string_view division_refusal(const ConvexPolygon& receiver);
+
 /// Receivers, ready to be divided by what they receive of one light behind all blockers.
 ///
 /// Events are found and traced for all receivers together; any number of threads may ask for meshes then. What is found
 /// does not depend on the number of threads.
 class ReceiverDivision {
  public:
-  /// Requires: flat receivers; a flat area light; coordinates in range (event_range.h).
+  /// Requires: no refusal by range or of the light or a receiver.
   /// Throws:   PreconditionError.
   /// Cost:     events are found by searching hierarchies, and traced where they reach a receiver, by that many threads.
   ReceiverDivision(const Light& light, std::span<const ConvexBlocker> blockers,
