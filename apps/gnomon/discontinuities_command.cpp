@@ -47,7 +47,7 @@ void add_options(CommandLine& app, DiscontinuitiesOptions& options) {
 }
 
 Json element_json(const DiscontinuityResult& result, const std::string& light, const EventElement& element) {
-  return {{"of", element_text(result, light, "", element)}, {"index", element.index}};
+  return {{"of", element_text(result, light, "", element)}, {"index", number(element.index)}};
 }
 
 Json surface_json(const DiscontinuityResult& result, const std::string& light, const EventName& event) {

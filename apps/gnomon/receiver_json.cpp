@@ -61,7 +61,7 @@ MeshJson polygons_json(const ReceiverMesh& mesh) {
 
 MeshJson event_json(const DiscontinuityResult& result, const ReceiverResult& receiver, const EventName& event) {
   const auto element = [&](const EventElement& e) {
-    return MeshJson{{"of", element_text(result, receiver.light, receiver.receiver, e)}, {"index", e.index}};
+    return MeshJson{{"of", element_text(result, receiver.light, receiver.receiver, e)}, {"index", number(e.index)}};
   };
   MeshJson json = {{"kind", name(event.kind)},
                    {"vertex", element(event.vertex)},

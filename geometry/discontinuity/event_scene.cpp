@@ -86,7 +86,7 @@ class EventScene::Builder {
   }
 
   void add_light_vertex(PointId id, std::uint32_t index) {
-    scene_.light_vertices.push_back({id, {EventOf::light, 0, index}});
+    scene_.light_vertices.push_back({id, {EventOf::light, {}, EventIndex{index}}});
   }
 
   void add_light(const PointLight& light) {
@@ -106,7 +106,7 @@ class EventScene::Builder {
     const PointId a = point(light.start), b = point(light.end);
     add_light_vertex(a, 0);
     add_light_vertex(b, 1);
-    scene_.light_edges.push_back({a, b, {EventOf::light, 0, 0}});
+    scene_.light_edges.push_back({a, b, {EventOf::light}});
   }
 
   void add_light(const AreaLight& light) {
@@ -121,7 +121,7 @@ class EventScene::Builder {
     }
     for (std::uint32_t k = 0; k < corners.size(); ++k) {
       scene_.light_edges.push_back(
-          {corners[k], corners[(k + 1) % corners.size()], {EventOf::light, 0, polygon.side_edge(k)}});
+          {corners[k], corners[(k + 1) % corners.size()], {EventOf::light, {}, EventIndex{polygon.side_edge(k)}}});
     }
     scene_.light_plane = {corners[0], corners[1], corners[2]};
   }
@@ -129,18 +129,18 @@ class EventScene::Builder {
   /// The ends and edges of where blockers meet the light are numbered after the light's own.
   void add_cuts() {
     std::uint32_t index = 0;
-    for (const LightVertex& v : scene_.light_vertices) index = std::max(index, v.name.index + 1);
+    for (const LightVertex& v : scene_.light_vertices) index = std::max(index, number(v.name.index) + 1);
     const auto add_vertex = [&](const EventPoint& p) {
       scene_.points.push_back(p);
       const auto id = static_cast<PointId>(scene_.points.size() - 1);
-      scene_.cut_vertices.push_back({id, {EventOf::light, 0, index}});
+      scene_.cut_vertices.push_back({id, {EventOf::light, {}, EventIndex{index}}});
       return id;
     };
     for (const LightCut& cut : light_cuts(scene_)) {
       const PointId a = add_vertex(cut.ends[0]);
       if (scene_.kind == LightKind::area) {
         ++index;
-        scene_.cut_edges.push_back({a, add_vertex(cut.ends[1]), {EventOf::light, 0, index - 1}});
+        scene_.cut_edges.push_back({a, add_vertex(cut.ends[1]), {EventOf::light, {}, EventIndex{index - 1}}});
       }
       ++index;
     }
@@ -150,9 +150,9 @@ class EventScene::Builder {
     if (scene_.kind != LightKind::area && scene_.kind != LightKind::linear) return;
     for (ShapeId s = 0; s < scene_.shapes.size(); ++s) {
       const Shape& shape = scene_.shapes[s];
-      if (!shape.is_solid) add_cutting_facet(shape.corners, {EventOf::blocker, s, 0});
+      if (!shape.is_solid) add_cutting_facet(shape.corners, {EventOf::blocker, EventBody{s}});
       for (std::uint32_t f = 0; f < shape.facets.size(); ++f) {
-        add_cutting_facet(shape.facets[f], {EventOf::blocker, s, f});
+        add_cutting_facet(shape.facets[f], {EventOf::blocker, EventBody{s}, EventIndex{f}});
       }
     }
   }
@@ -188,12 +188,12 @@ class EventScene::Builder {
     Shape shape;
     for (const std::uint32_t k : polygon.corners()) {
       shape.corners.push_back(point(polygon.points()[k]));
-      add_vertex(shape.corners.back(), {EventOf::blocker, id, k}, id);
+      add_vertex(shape.corners.back(), {EventOf::blocker, EventBody{id}, EventIndex{k}}, id);
     }
     const auto n = static_cast<std::uint32_t>(shape.corners.size());
     for (std::uint32_t k = 0; k < n; ++k) {
       const PointId a = shape.corners[k], b = shape.corners[(k + 1) % n];
-      const EdgeId e = edge(a, b, {EventOf::blocker, id, polygon.side_edge(k)});
+      const EdgeId e = edge(a, b, {EventOf::blocker, EventBody{id}, EventIndex{polygon.side_edge(k)}});
       scene_.edges[e].faces.push_back({id, shape.corners[(k + 2) % n]});
       shape.edges.push_back({a, b, e});
     }
@@ -207,7 +207,7 @@ class EventScene::Builder {
     for (const std::uint32_t k : solid.corners()) {
       of[k] = point(solid.points()[k]);
       shape.corners.push_back(of[k]);
-      add_vertex(of[k], {EventOf::blocker, id, k}, id);
+      add_vertex(of[k], {EventOf::blocker, EventBody{id}, EventIndex{k}}, id);
     }
     for (const ConvexSolid::Facet& facet : solid.facets()) {
       shape.facets.emplace_back();
@@ -216,7 +216,7 @@ class EventScene::Builder {
     for (std::uint32_t k = 0; k < solid.edges().size(); ++k) {
       const ConvexSolid::Edge& e = solid.edges()[k];
       const PointId a = of[e.from], b = of[e.to];
-      const EdgeId made = edge(a, b, {EventOf::blocker, id, k});
+      const EdgeId made = edge(a, b, {EventOf::blocker, EventBody{id}, EventIndex{k}});
       for (const std::uint32_t facet : {e.left, e.right}) {
         const auto& loop = shape.facets[facet];
         const auto third = std::find_if(loop.begin(), loop.end(), [&](PointId p) { return p != a && p != b; });

@@ -33,7 +33,7 @@ class PlaneTraces {
       if (s * t < 0) ends.push_back(plane_.flat(crossing(light_plane(), p, q)));
     }
     if (ends.size() != 2) return;
-    add(ends[0], ends[1], {EventKind::light_plane, {EventOf::light, 0, 0}, {EventOf::light, 0, 0}, 0, Extremal::none});
+    add(ends[0], ends[1], {EventKind::light_plane, {EventOf::light}, {EventOf::light}, 0, Extremal::none});
   }
 
  private:
@@ -76,7 +76,7 @@ class PlaneTraces {
   }
 
   EventName contact(ShapeId shape, std::uint32_t index) const {
-    const EventElement element{EventOf::blocker, shape, index};
+    const EventElement element{EventOf::blocker, EventBody{shape}, EventIndex{index}};
     return {EventKind::contact, element, element, 0, Extremal::none};
   }
 

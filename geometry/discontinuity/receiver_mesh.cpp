@@ -111,7 +111,7 @@ std::vector<FlatSegment> dividing_segments(const EventScene& scene, std::uint32_
   std::vector<FlatSegment> segments;
   const std::vector<FlatPoint> corners = flat_corners(scene, receiver, plane);
   for (std::uint32_t k = 0; k < corners.size(); ++k) {
-    const EventElement element{EventOf::receiver, receiver, k};
+    const EventElement element{EventOf::receiver, EventBody{receiver}, EventIndex{k}};
     const std::uint32_t name = names.number({EventKind::border, element, element, 0, Extremal::none});
     segments.push_back({corners[k], corners[(k + 1) % corners.size()], name});
   }

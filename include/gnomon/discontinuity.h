@@ -21,6 +21,7 @@
 #include "gnomon/blocker.h"
 #include "gnomon/convex_polygon.h"
 #include "gnomon/light.h"
+#include "gnomon/names.h"
 #include "gnomon/point.h"
 
 namespace gnomon {
@@ -28,11 +29,16 @@ namespace gnomon {
 /// What an element of an event belongs to.
 enum class EventOf : std::uint8_t { light, blocker, receiver };
 
-/// A vertex or an edge of the light, of a convex blocker or of a receiver, by its place in the list given.
+/// The place of a convex blocker or of a receiver in the list given; 0 for the light. And the index, in one of them, of
+/// a vertex or an edge of a polygon, of a solid's point, edge or facet. `number(index)` is the bare number.
+enum class EventBody : std::uint32_t {};
+enum class EventIndex : std::uint32_t {};
+
+/// A vertex or an edge of the light, of a convex blocker or of a receiver.
 struct EventElement {
   EventOf of = EventOf::light;
-  std::uint32_t element = 0;  ///< index of the blocker or receiver; 0 for the light
-  std::uint32_t index = 0;    ///< of a vertex or an edge of a polygon; of a solid's point, edge or facet
+  EventBody body{};
+  EventIndex index{};
 
   friend auto operator<=>(const EventElement&, const EventElement&) = default;  // NOLINT(modernize-use-nullptr)
 };

@@ -24,7 +24,7 @@ struct EventCells {
 std::string event_text(const DiscontinuityResult& result, const std::string& light, const std::string& receiver,
                        const EventName& name) {
   const auto text = [&](const EventElement& element) {
-    return element_text(result, light, receiver, element) + "[" + std::to_string(element.index) + "]";
+    return element_text(result, light, receiver, element) + "[" + std::to_string(number(element.index)) + "]";
   };
   const std::string kind(gnomon::name(name.kind));
   if (name.kind == EventKind::coplanar_edges) return "edge " + text(name.vertex) + ", edge " + text(name.edge);
@@ -44,8 +44,9 @@ void add_event_array(vtkPolyData& data, const EventCells& events) {
 }
 
 std::int32_t blocker_id(const DiscontinuityResult& result, const EventName& name) {
-  if (name.edge.of == EventOf::blocker) return static_cast<std::int32_t>(result.blocker_ids[name.edge.element]);
-  if (name.vertex.of == EventOf::blocker) return static_cast<std::int32_t>(result.blocker_ids[name.vertex.element]);
+  if (name.edge.of == EventOf::blocker) return static_cast<std::int32_t>(result.blocker_ids[number(name.edge.body)]);
+  if (name.vertex.of == EventOf::blocker)
+    return static_cast<std::int32_t>(result.blocker_ids[number(name.vertex.body)]);
   return -1;
 }
 
@@ -188,7 +189,7 @@ std::string element_text(const DiscontinuityResult& result, const std::string& l
                          const EventElement& element) {
   if (element.of == EventOf::light) return "light:" + light;
   if (element.of == EventOf::receiver) return "receiver:" + receiver;
-  return "blocker:" + result.blockers[element.element];
+  return "blocker:" + result.blockers[number(element.body)];
 }
 
 }  // namespace gnomon

@@ -129,7 +129,7 @@ Verdict check_counts(const SpatialCase& drawn, const Subject& subject) {
     const auto edge = named_points(name.edge, false, false, drawn.light, blockers);
     if (name.kind != EventKind::vertex_edge || vertex.empty() || edge.empty()) return verdict(false, "a wrong name");
     // Of a side with vertices inside, the first piece is its line as well.
-    found.add({name.vertex.of, name.vertex.index, vertex}, {name.edge.of, name.edge.index, edge});
+    found.add({name.vertex.of, number(name.vertex.index), vertex}, {name.edge.of, number(name.edge.index), edge});
   }
   if (found.names.size() != expected.names.size()) {
     return verdict(

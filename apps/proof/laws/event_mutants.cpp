@@ -78,13 +78,14 @@ std::vector<Mutant> event_mutants() {
       surfaces("swap_vertices", "vertices 0 and 1 exchanged in the names of discontinuity surfaces", {"E5", "E2"},
                [](Surfaces& all) {
                  for (DiscontinuitySurface& surface : all) {
-                   if (surface.name.vertex.index < 2) surface.name.vertex.index = 1 - surface.name.vertex.index;
+                   const std::uint32_t index = number(surface.name.vertex.index);
+                   if (index < 2) surface.name.vertex.index = EventIndex{1 - index};
                  }
                }),
       surfaces("neighbour_edge", "a neighbouring edge in the name of the first discontinuity surface", {"E6"},
                [](Surfaces& all) {
-                 std::uint32_t& index = all.front().name.edge.index;
-                 index = index == 0 ? 1 : index - 1;
+                 EventIndex& index = all.front().name.edge.index;
+                 index = EventIndex{number(index) == 0 ? 1 : number(index) - 1};
                }),
       receiver("drop_contacts", "contacts of blockers and receivers said to be of order D2", {"E1"},
                [](DividedReceiver& found) {

@@ -174,8 +174,8 @@ bool is_quadratic(const EventScene& scene) {
 bool names_event(const EventName& name, const EventCase& drawn) {
   const auto is = [](const EventElement& element, const LinedUp& lined_up) {
     const bool of_light = element.of == EventOf::light;
-    return of_light == (lined_up.of < 0) && (of_light || int(element.element) == lined_up.of) &&
-           element.index == lined_up.index;
+    return of_light == (lined_up.of < 0) && (of_light || int(element.body) == lined_up.of) &&
+           number(element.index) == lined_up.index;
   };
   return name.kind == EventKind::vertex_edge && is(name.vertex, only(drawn, OnLine::vertex)) &&
          is(name.edge, only(drawn, OnLine::edge));
@@ -184,20 +184,20 @@ bool names_event(const EventName& name, const EventCase& drawn) {
 std::vector<ExactVector> named_points(const EventElement& element, bool is_vertex, bool is_facet, const Light& light,
                                       const std::vector<ConvexBlocker>& blockers) {
   const bool of_light = element.of == EventOf::light;
-  const auto* solid = of_light ? nullptr : std::get_if<ConvexSolid>(&blockers[element.element]);
-  Polygon points = of_light
-                       ? vertices(light)
-                       : std::visit([](const auto& shape) { return exact(shape.points()); }, blockers[element.element]);
+  const std::uint32_t body = number(element.body), index = number(element.index);
+  const auto* solid = of_light ? nullptr : std::get_if<ConvexSolid>(&blockers[body]);
+  Polygon points =
+      of_light ? vertices(light) : std::visit([](const auto& shape) { return exact(shape.points()); }, blockers[body]);
   const std::size_t n = points.size();
   if (is_facet && !solid) return points;
   if (is_facet) {
     Polygon corners;
-    for (const std::uint32_t k : solid->facets()[element.index].loop) corners.push_back(points[k]);
+    for (const std::uint32_t k : solid->facets()[index].loop) corners.push_back(points[k]);
     return corners;
   }
-  if (is_vertex) return element.index < n ? Polygon{points[element.index]} : Polygon{};
-  if (solid) return {points[solid->edges()[element.index].from], points[solid->edges()[element.index].to]};
-  return element.index < n ? Polygon{points[element.index], points[(element.index + 1) % n]} : Polygon{};
+  if (is_vertex) return index < n ? Polygon{points[index]} : Polygon{};
+  if (solid) return {points[solid->edges()[index].from], points[solid->edges()[index].to]};
+  return index < n ? Polygon{points[index], points[(index + 1) % n]} : Polygon{};
 }
 
 bool lies_in_plane(const EventName& name, const EventCase& drawn, const ExactPlane& plane) {

@@ -155,7 +155,7 @@ std::vector<ExactPlane> named_planes(const ReceiverCase& drawn, const DividedRec
       }
     }
     if (name.kind != EventKind::contact && name.kind != EventKind::coplanar_plane) continue;
-    for (const auto& loop : loops_of(drawn.blockers[name.edge.element])) planes.push_back(plane_of(loop));
+    for (const auto& loop : loops_of(drawn.blockers[number(name.edge.body)])) planes.push_back(plane_of(loop));
   }
   return planes;
 }

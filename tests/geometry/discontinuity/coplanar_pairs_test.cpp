@@ -51,7 +51,7 @@ double length_on_axis(const ReceiverMesh& mesh, const Predicate& is_meant) {
 /// Whether an event is that of the coplanar edges at x = 0 of blockers 0 and 1.
 bool is_of_boards(const EventName& name) {
   const auto is_edge = [](const EventElement& e, std::uint32_t board) {
-    return e.of == EventOf::blocker && e.element == board && e.index == (board == 0 ? 3U : 1U);
+    return e.of == EventOf::blocker && number(e.body) == board && number(e.index) == (board == 0 ? 3U : 1U);
   };
   return name.kind == EventKind::coplanar_edges && name.order == 1 && is_edge(name.vertex, 0) && is_edge(name.edge, 1);
 }
@@ -133,14 +133,14 @@ void expect_traced_with_light(const Light& light, const Predicate& is_meant) {
 TEST(CoplanarPairs, OfLightAndBlockerAreTracedWhereOthersHideAllFourEnds) {
   expect_traced_with_light(lamp(rectangle(0, -4, 2, 4, 3, Facing::down)), [](const EventName& name) {
     return name.kind == EventKind::coplanar_edges && name.order == 1 && name.vertex.of == EventOf::light &&
-           name.edge == EventElement{EventOf::blocker, 0, 3} && name.extremal == Extremal::umbra;
+           name.edge == EventElement{EventOf::blocker, EventBody{0}, EventIndex{3}} && name.extremal == Extremal::umbra;
   });
 }
 
 TEST(CoplanarPairs, OfALinearLightAndABlockerHaveOrderZero) {
   expect_traced_with_light(LinearLight{{0, -4, 3}, {0, 4, 3}}, [](const EventName& name) {
     return name.kind == EventKind::coplanar_edges && name.order == 0 && name.vertex.of == EventOf::light &&
-           name.edge == EventElement{EventOf::blocker, 0, 3};
+           name.edge == EventElement{EventOf::blocker, EventBody{0}, EventIndex{3}};
   });
 }
 
@@ -164,8 +164,8 @@ TEST(CoplanarPairs, AreNotTracedWhereNoLightComesThrough) {
 
 /// The ends of a named edge of a flat blocker whose corners are all its points.
 std::array<ExactVector, 2> ends_of(const Blockers& blockers, const EventElement& edge) {
-  const auto points = std::get<ConvexPolygon>(blockers[edge.element]).points();
-  return {exact(points[edge.index]), exact(points[(edge.index + 1) % points.size()])};
+  const auto points = std::get<ConvexPolygon>(blockers[number(edge.body)]).points();
+  return {exact(points[number(edge.index)]), exact(points[(number(edge.index) + 1) % points.size()])};
 }
 
 /// True if a ray from p passes through the middles of both segments, all in one plane: such a ray runs between the ways

@@ -44,7 +44,8 @@ ConvexPolygon triangle(std::mt19937& random, double z, Facing facing) {
 Names marked(const std::vector<EventName>& names, Extremal extremal, EventOf edge_of) {
   Names found;
   for (const EventName& name : names) {
-    if (name.extremal == extremal && name.edge.of == edge_of) found.insert({name.edge.index, name.vertex.index});
+    if (name.extremal == extremal && name.edge.of == edge_of)
+      found.insert({number(name.edge.index), number(name.vertex.index)});
   }
   return found;
 }
@@ -96,7 +97,7 @@ TEST(DiscontinuitySurfaces, EndAtTheFirstBlockerOrReceiver) {
   const Blockers shelves{rectangle(-1, -1, 1, 1, 2, Facing::up), rectangle(-4, -4, 4, 4, 1, Facing::up)};
   for (const auto& surface :
        discontinuity_surfaces(PointLight{{0, 0, 4}}, shelves, std::vector{events_ground}, wide_box)) {
-    const bool of_upper = surface.name.edge.element == 0;
+    const bool of_upper = surface.name.edge.body == EventBody{0};
     for (const auto& polygon : surface.polygons) {
       for (const Point3& p : polygon) {
         EXPECT_GE(p.z, of_upper ? 1 : 0);
