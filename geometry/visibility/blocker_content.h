@@ -8,7 +8,7 @@
 
 #include "geometry/bodies/box_hierarchy.h"
 #include "geometry/visibility/blocker_set.h"
-#include "geometry/visibility/outline.h"
+#include "geometry/visibility/silhouette.h"
 #include "gnomon/blocker.h"
 
 namespace gnomon {

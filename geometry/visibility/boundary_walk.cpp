@@ -4,18 +4,18 @@
 
 namespace gnomon::sight {
 
-/// An outline to the left of the edge runs the same way as the edge, one to the right against it. The planes before and
-/// after the common edge cross it at its ends.
-bool BoundaryWalk::alongside_chord(const Outline& outline, const std::int8_t* sides, Alongside alongside,
+/// A silhouette to the left of the edge runs the same way as the edge, one to the right against it. The planes before
+/// and after the common edge cross it at its ends.
+bool BoundaryWalk::alongside_chord(const Silhouette& silhouette, const std::int8_t* sides, Alongside alongside,
                                    Stretch& result) {
-  for (std::uint32_t k = 0; k < outline.count; ++k) {
-    const std::uint32_t next = outline.after(k);
+  for (std::uint32_t k = 0; k < silhouette.count; ++k) {
+    const std::uint32_t next = silhouette.after(k);
     if (sides[k] != 0 || sides[next] != 0) continue;
-    const std::uint32_t before = outline.before(k);
+    const std::uint32_t before = silhouette.before(k);
     const bool left = sides[before] > 0;
     if (alongside != Alongside::either_side && (alongside == Alongside::same_side) != left) return false;
-    const Station first = station_at(outline.first + before, left, outline.first + k);
-    const Station last = station_at(outline.first + next, !left, outline.first + next);
+    const Station first = station_at(silhouette.first + before, left, silhouette.first + k);
+    const Station last = station_at(silhouette.first + next, !left, silhouette.first + next);
     result = left ? Stretch{first, last} : Stretch{last, first};
     return true;
   }

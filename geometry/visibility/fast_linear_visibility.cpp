@@ -9,9 +9,9 @@
 #include "geometry/numbers/rounding.h"
 #include "geometry/visibility/blocker_content.h"
 #include "geometry/visibility/boundary_walk.h"
-#include "geometry/visibility/outline_builder.h"
 #include "geometry/visibility/receiver_candidates.h"
 #include "geometry/visibility/receiver_front.h"
+#include "geometry/visibility/silhouette_builder.h"
 
 namespace gnomon {
 
@@ -40,7 +40,7 @@ class FastLinearVisibility::Work {
   bool in_range_ = false;
   std::array<Point3, 3> ends_;  ///< start, end, and a point beside the plane through them and the apex
   LightPlane plane_;
-  Outlines outlines_;
+  Silhouettes silhouettes_;
   std::vector<std::uint32_t> candidates_;
   std::vector<std::int8_t> sides_;
   std::vector<Stretch> covers_;
@@ -67,9 +67,9 @@ bool FastLinearVisibility::Work::stand_up(const Point3& apex) {
 /// by (|a| f + |b| e) / (D (D - e - f)) with D = |a - b|, and two roundings.
 StretchEnd FastLinearVisibility::Work::end_at(const Edge& edge, const Station& station) const {
   if (station.kind != Station::Kind::inner) return {std::nullopt, 0, station.kind == Station::Kind::end ? 1.0 : 0.0, 0};
-  const Plane& plane = outlines_.planes[station.plane];
-  const Ray& start = outlines_.rays[edge.start];
-  const Ray& end = outlines_.rays[edge.end];
+  const Plane& plane = silhouettes_.planes[station.plane];
+  const Ray& start = silhouettes_.rays[edge.start];
+  const Ray& end = silhouettes_.rays[edge.end];
   const double a = dot(plane.normal, start.direction);
   const double b = dot(plane.normal, end.direction);
   const double a_error = plane.side_bound * start.size + tiny;
@@ -78,8 +78,9 @@ StretchEnd FastLinearVisibility::Work::end_at(const Edge& edge, const Station& s
   const double sure = whole - 1.01 * (a_error + b_error);
   const double share = std::clamp(a / (a - b), 0.0, 1.0);
   const double error = 1.01 * (std::fabs(a) * b_error + std::fabs(b) * a_error) / (whole * sure) + 4 * unit;
-  const auto after = std::upper_bound(outlines_.list.begin(), outlines_.list.end(), station.plane,
-                                      [](std::uint32_t i, const Outline& outline) { return i < outline.first; });
+  const auto after =
+      std::upper_bound(silhouettes_.list.begin(), silhouettes_.list.end(), station.plane,
+                       [](std::uint32_t i, const Silhouette& silhouette) { return i < silhouette.first; });
   const bool known = sure > 0 && error <= 1;
   return {std::prev(after)->element, plane.name, known ? share : 0.5, known ? error : HUGE_VAL};
 }
@@ -96,13 +97,13 @@ LinearLightSeen FastLinearVisibility::Work::penumbra(const Edge& edge) {
   return {Region::penumbra, std::clamp(fraction, 0.0, 1.0), std::min(1.01 * error, 1.0), stretches_};
 }
 
-/// The light is one edge, and every outline that touches its plane along a length covers a part of it.
+/// The light is one edge, and every silhouette that touches its plane along a length covers a part of it.
 LinearLightSeen FastLinearVisibility::Work::walk(const Point3& apex) {
-  BoundaryWalk walk(apex, outlines_, sides_);
-  const Edge edge = edge_of(outlines_, 0, 0);
+  BoundaryWalk walk(apex, silhouettes_, sides_);
+  const Edge edge = edge_of(silhouettes_, 0, 0);
   const Piece whole{edge, {{Station::Kind::start}, {Station::Kind::end}}};
   covers_.clear();
-  for (std::uint32_t i = 1; i < outlines_.list.size(); ++i) {
+  for (std::uint32_t i = 1; i < silhouettes_.list.size(); ++i) {
     Stretch cover;
     if (walk.stretch_inside(edge, i, Alongside::either_side, cover)) covers_.push_back(cover);
   }
@@ -115,8 +116,8 @@ LinearLightSeen FastLinearVisibility::Work::walk(const Point3& apex) {
 
 std::optional<LinearLightSeen> FastLinearVisibility::Work::look(const Point3& apex, const ReceiverPoint* receiver) {
   if (!stand_up(apex)) return std::nullopt;
-  OutlineBuilder builder(apex, ends_, plane_, outlines_, receiver ? Along::undecided : Along::hides);
-  blockers_.content().collect({apex, outlines_.pyramid(), plane_}, candidates_);
+  SilhouetteBuilder builder(apex, ends_, plane_, silhouettes_, receiver ? Along::undecided : Along::hides);
+  blockers_.content().collect({apex, silhouettes_.pyramid(), plane_}, candidates_);
   if (receiver && !keep_before(*receiver, blockers_.content(), candidates_)) return std::nullopt;
   const Gathered gathered = builder.append_blockers(blockers_.content(), candidates_);
   if (gathered == Gathered::undecided) return std::nullopt;

@@ -12,9 +12,9 @@
 #include "geometry/visibility/boundary_walk.h"
 #include "geometry/visibility/flat_area.h"
 #include "geometry/visibility/light_cut.h"
-#include "geometry/visibility/outline_builder.h"
-#include "geometry/visibility/outline_grid.h"
 #include "geometry/visibility/receiver_candidates.h"
+#include "geometry/visibility/silhouette_builder.h"
+#include "geometry/visibility/silhouette_grid.h"
 #include "geometry/visibility/turned_away.h"
 
 namespace gnomon {
@@ -33,8 +33,8 @@ class FastVisibility::Work {
   int turn_to(const Point3& apex);
   Gathered gather(const Point3& apex, const ReceiverPoint* receiver);
   void walk(const Point3& apex);
-  bool is_between_facets(std::uint32_t outline, std::uint32_t k) const;
-  void append_stretches_inside(BoundaryWalk& walk, std::uint32_t outline);
+  bool is_between_facets(std::uint32_t silhouette, std::uint32_t k) const;
+  void append_stretches_inside(BoundaryWalk& walk, std::uint32_t silhouette);
   void append_visible(BoundaryWalk& walk, const Piece& piece);
   LightSeen bounded(Region region, double fraction, double bound, std::size_t pieces);
   FlatArea set_boundary();
@@ -58,14 +58,14 @@ class FastVisibility::Work {
 
   LightSide* shown_ = &front_;  ///< to the apex of the question
   LightCut cut_;                ///< by the receiver's plane
-  Outlines outlines_;
+  Silhouettes silhouettes_;
   std::vector<std::uint32_t> candidates_;
-  std::vector<std::uint32_t> outline_of_;  ///< of each blocker, while edges are walked; 0 without one
-  bool any_inside_ = false;                ///< some edge of a blocker is inside the light
-  std::vector<Piece> inside_;              ///< of the blockers' edges, inside the light, those that may bound something
-  std::vector<Piece> visible_;             ///< what is not covered of those and of the light's edges
-  OutlineGrid grid_;
-  std::vector<std::uint32_t> neighbours_;  ///< outlines whose boxes meet that of the one whose edges are walked
+  std::vector<std::uint32_t> silhouette_of_;  ///< of each blocker, while edges are walked; 0 without one
+  bool any_inside_ = false;                   ///< some edge of a blocker is inside the light
+  std::vector<Piece> inside_;   ///< of the blockers' edges, inside the light, those that may bound something
+  std::vector<Piece> visible_;  ///< what is not covered of those and of the light's edges
+  SilhouetteGrid grid_;
+  std::vector<std::uint32_t> neighbours_;  ///< silhouettes whose boxes meet that of the one whose edges are walked
   std::vector<std::int8_t> sides_;
   std::vector<Stretch> covers_;
   std::vector<std::array<FlatPoint, 2>> flats_;  ///< the ends of the visible pieces
@@ -108,9 +108,9 @@ LightSide light_side(const ConvexPolygon& polygon, bool front, const LightPlane&
 }
 
 /// A blocker's edge is walked with the blocker on its left; the visible part is on the other side.
-void set_piece(BoundaryPiece& result, const Outlines& outlines, const Edge& edge, const SightDirection& from,
+void set_piece(BoundaryPiece& result, const Silhouettes& silhouettes, const Edge& edge, const SightDirection& from,
                const SightDirection& to) {
-  const Plane& plane = outlines.planes[edge.plane];
+  const Plane& plane = silhouettes.planes[edge.plane];
   const Vector& n = plane.normal;
   result.edge = plane.name;
   if (edge.of_light()) {
@@ -119,7 +119,7 @@ void set_piece(BoundaryPiece& result, const Outlines& outlines, const Edge& edge
     result.end = to;
     result.normal = direction_of(n, plane.error);
   } else {
-    result.blocker = outlines.list[edge.outline].element;
+    result.blocker = silhouettes.list[edge.silhouette].element;
     result.start = to;
     result.end = from;
     result.normal = direction_of({-n.x, -n.y, -n.z}, plane.error);
@@ -158,36 +158,36 @@ int FastVisibility::Work::turn_to(const Point3& apex) {
   return side;
 }
 
-/// Outlines the light and what may hide it. Without the facets under a receiver's point a surface is not closed.
+/// Silhouettes the light and what may hide it. Without the facets under a receiver's point a surface is not closed.
 Gathered FastVisibility::Work::gather(const Point3& apex, const ReceiverPoint* receiver) {
-  OutlineBuilder builder(apex, *shown_, outlines_);
-  blockers_.content().collect({apex, outlines_.pyramid(), shown_->plane}, candidates_);
+  SilhouetteBuilder builder(apex, *shown_, silhouettes_);
+  blockers_.content().collect({apex, silhouettes_.pyramid(), shown_->plane}, candidates_);
   if (!receiver || receiver->under.empty()) turned_away_.remove_from(candidates_, apex);
   if (receiver && !keep_before(*receiver, blockers_.content(), candidates_)) return Gathered::undecided;
   return builder.append_blockers(blockers_.content(), candidates_);
 }
 
 /// True of an edge of a mesh with a facet on either side, as seen: neither bounds what is hidden.
-bool FastVisibility::Work::is_between_facets(std::uint32_t outline, std::uint32_t k) const {
-  const Outline& own = outlines_.list[outline];
+bool FastVisibility::Work::is_between_facets(std::uint32_t silhouette, std::uint32_t k) const {
+  const Silhouette& own = silhouettes_.list[silhouette];
   const BlockerSet::Content& blockers = blockers_.content();
   const BlockerSet::Content::Shape& shape = blockers.shapes[own.element];
   if (shape.solid >= 0) return false;
   const BlockerSet::Content::Mate& mate = blockers.mates[shape.first + own.original(k)];
-  if (mate.shape == BlockerSet::Content::Mate::none || outline_of_[mate.shape] == 0) return false;
-  // Outlines run counterclockwise: two that run along an edge in opposite ways lie on its two sides.
-  const Outline& other = outlines_.list[outline_of_[mate.shape]];
+  if (mate.shape == BlockerSet::Content::Mate::none || silhouette_of_[mate.shape] == 0) return false;
+  // Silhouettes run counterclockwise: two that run along an edge in opposite ways lie on its two sides.
+  const Silhouette& other = silhouettes_.list[silhouette_of_[mate.shape]];
   return mate.is_opposite == (own.reversed == other.reversed);
 }
 
-/// The parts of the outline's edges inside the light; they are what makes it hide something.
-void FastVisibility::Work::append_stretches_inside(BoundaryWalk& walk, std::uint32_t outline) {
-  const Outline& o = outlines_.list[outline];
+/// The parts of the silhouette's edges inside the light; they are what makes it hide something.
+void FastVisibility::Work::append_stretches_inside(BoundaryWalk& walk, std::uint32_t silhouette) {
+  const Silhouette& o = silhouettes_.list[silhouette];
   for (std::uint32_t k = 0; k < o.count; ++k) {
-    Piece piece{edge_of(outlines_, outline, k), whole_edge};
+    Piece piece{edge_of(silhouettes_, silhouette, k), whole_edge};
     if (!o.inside && !walk.stretch_inside(piece.edge, 0, Alongside::nothing, piece.stretch)) continue;
     any_inside_ = true;
-    if (!is_between_facets(outline, k)) inside_.push_back(piece);
+    if (!is_between_facets(silhouette, k)) inside_.push_back(piece);
   }
 }
 
@@ -196,13 +196,13 @@ void FastVisibility::Work::append_stretches_inside(BoundaryWalk& walk, std::uint
 void FastVisibility::Work::append_visible(BoundaryWalk& walk, const Piece& piece) {
   covers_.clear();
   const Edge& edge = piece.edge;
-  FlatBox box = outlines_.flats[edge.start].box();
-  box.include(outlines_.flats[edge.end].box());
+  FlatBox box = silhouettes_.flats[edge.start].box();
+  box.include(silhouettes_.flats[edge.end].box());
   for (const std::uint32_t other : neighbours_) {
-    if (other == edge.outline || !box.meets(outlines_.list[other].box)) continue;
-    const Alongside alongside = edge.of_light()        ? Alongside::same_side
-                                : other < edge.outline ? Alongside::either_side
-                                                       : Alongside::other_side;
+    if (other == edge.silhouette || !box.meets(silhouettes_.list[other].box)) continue;
+    const Alongside alongside = edge.of_light()           ? Alongside::same_side
+                                : other < edge.silhouette ? Alongside::either_side
+                                                          : Alongside::other_side;
     Stretch cover;
     if (!walk.stretch_inside(edge, other, alongside, cover)) continue;
     if (walk.order(edge, cover.from, piece.stretch.from) <= 0 && walk.order(edge, cover.to, piece.stretch.to) >= 0) {
@@ -217,20 +217,20 @@ void FastVisibility::Work::walk(const Point3& apex) {
   any_inside_ = false;
   inside_.clear();
   visible_.clear();
-  BoundaryWalk walk(apex, outlines_, sides_);
-  const auto count = static_cast<std::uint32_t>(outlines_.list.size());
-  outline_of_.resize(blockers_.content().shapes.size());
-  for (std::uint32_t i = 1; i < count; ++i) outline_of_[outlines_.list[i].element] = i;
+  BoundaryWalk walk(apex, silhouettes_, sides_);
+  const auto count = static_cast<std::uint32_t>(silhouettes_.list.size());
+  silhouette_of_.resize(blockers_.content().shapes.size());
+  for (std::uint32_t i = 1; i < count; ++i) silhouette_of_[silhouettes_.list[i].element] = i;
   for (std::uint32_t i = 1; i < count; ++i) append_stretches_inside(walk, i);
-  for (std::uint32_t i = 1; i < count; ++i) outline_of_[outlines_.list[i].element] = 0;
-  grid_.build(outlines_.list);
-  grid_.find(outlines_.list.front().box, neighbours_);
-  const std::uint32_t light_edges = outlines_.list.front().count;
-  for (std::uint32_t k = 0; k < light_edges; ++k) append_visible(walk, {edge_of(outlines_, 0, k), whole_edge});
+  for (std::uint32_t i = 1; i < count; ++i) silhouette_of_[silhouettes_.list[i].element] = 0;
+  grid_.build(silhouettes_.list);
+  grid_.find(silhouettes_.list.front().box, neighbours_);
+  const std::uint32_t light_edges = silhouettes_.list.front().count;
+  for (std::uint32_t k = 0; k < light_edges; ++k) append_visible(walk, {edge_of(silhouettes_, 0, k), whole_edge});
   std::uint32_t last = 0;
   for (const Piece& piece : inside_) {
-    if (piece.edge.outline != last) grid_.find(outlines_.list[piece.edge.outline].box, neighbours_);
-    last = piece.edge.outline;
+    if (piece.edge.silhouette != last) grid_.find(silhouettes_.list[piece.edge.silhouette].box, neighbours_);
+    last = piece.edge.silhouette;
     append_visible(walk, piece);
   }
 }
@@ -244,12 +244,12 @@ LightSeen FastVisibility::Work::bounded(Region region, double fraction, double b
 
 /// The boundary is the light's own.
 LightSeen FastVisibility::Work::wholly_visible() {
-  const std::uint32_t count = outlines_.list.front().count;
+  const std::uint32_t count = silhouettes_.list.front().count;
   if (boundary_.size() < count) boundary_.resize(count);
   for (std::uint32_t k = 0; k < count; ++k) {
-    const Edge edge = edge_of(outlines_, 0, k);
-    set_piece(boundary_[k], outlines_, edge, direction_of(outlines_.rays[edge.start]),
-              direction_of(outlines_.rays[edge.end]));
+    const Edge edge = edge_of(silhouettes_, 0, k);
+    set_piece(boundary_[k], silhouettes_, edge, direction_of(silhouettes_.rays[edge.start]),
+              direction_of(silhouettes_.rays[edge.end]));
   }
   return bounded(Region::lit, 1, 0, count);
 }
@@ -261,9 +261,9 @@ FlatArea FastVisibility::Work::set_boundary() {
   AreaSum sum;
   for (std::size_t i = 0; i < visible_.size(); ++i) {
     const auto& [edge, stretch] = visible_[i];
-    const Sighting from = sighting(outlines_, shown_->plane, edge, stretch.from);
-    const Sighting to = sighting(outlines_, shown_->plane, edge, stretch.to);
-    set_piece(boundary_[i], outlines_, edge, from.direction, to.direction);
+    const Sighting from = sighting(silhouettes_, shown_->plane, edge, stretch.from);
+    const Sighting to = sighting(silhouettes_, shown_->plane, edge, stretch.to);
+    set_piece(boundary_[i], silhouettes_, edge, from.direction, to.direction);
     edge.of_light() ? sum.add(from.flat, to.flat) : sum.add(to.flat, from.flat);
     if (cut_.extent == Extent::part) flats_.push_back({from.flat, to.flat});
   }
@@ -331,7 +331,7 @@ std::optional<LightSeen> FastVisibility::Work::look(const Point3& point, const R
   const Gathered gathered = gather(point, receiver);
   if (gathered == Gathered::undecided) return std::nullopt;
   if (gathered == Gathered::covered) return LightSeen{Region::umbra, 0, 0, {}, {}};
-  if (outlines_.list.size() == 1) return wholly_visible();
+  if (silhouettes_.list.size() == 1) return wholly_visible();
   walk(point);
   if (!any_inside_) return wholly_visible();
   if (visible_.empty()) return LightSeen{Region::umbra, 0, 0, {}, {}};

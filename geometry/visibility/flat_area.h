@@ -42,11 +42,12 @@ inline Sighting crossing(const LightPlane& light, const Plane& a, const Plane& b
   return {{d.x, d.y, d.z, root_of_three * error / size}, meeting_point(light, d, size, error)};
 }
 
-inline Sighting sighting(const Outlines& outlines, const LightPlane& light, const Edge& edge, const Station& station) {
+inline Sighting sighting(const Silhouettes& silhouettes, const LightPlane& light, const Edge& edge,
+                         const Station& station) {
   const std::uint32_t ray = ray_at(edge, station);
-  if (ray != Station::none) return {direction_of(outlines.rays[ray]), outlines.flats[ray]};
-  const Plane& crossed = outlines.planes[station.plane];
-  const Plane& own = outlines.planes[edge.plane];
+  if (ray != Station::none) return {direction_of(silhouettes.rays[ray]), silhouettes.flats[ray]};
+  const Plane& crossed = silhouettes.planes[station.plane];
+  const Plane& own = silhouettes.planes[edge.plane];
   return station.rising ? crossing(light, crossed, own) : crossing(light, own, crossed);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Lights and blockers as seen from the apex: convex outlines of rays and planes. Private to this folder.
+/// Lights and blockers as seen from the apex: convex silhouettes of rays and planes. Private to this folder.
 
 #include <algorithm>
 #include <cmath>
@@ -94,11 +94,11 @@ struct FlatPoint {
   }
 };
 
-/// One outline: the rays and planes `first` to `first + count` of an Outlines.
+/// One silhouette: the rays and planes `first` to `first + count` of an Silhouettes.
 ///
-/// Orientation: the positive side of every plane holds the outline; plane k runs from ray k to ray k + 1.
+/// Orientation: the positive side of every plane holds the silhouette; plane k runs from ray k to ray k + 1.
 ///              No three consecutive rays lie in one plane.
-struct Outline {
+struct Silhouette {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
   std::uint32_t element = 0;  ///< index of the blocker
@@ -112,18 +112,18 @@ struct Outline {
   std::uint32_t original(std::uint32_t k) const { return reversed ? count - 1 - after(k) : k; }
 };
 
-/// Outlines in one piece of memory that is used again for the next apex. The first is the light's.
-struct Outlines {
+/// Silhouettes in one piece of memory that is used again for the next apex. The first is the light's.
+struct Silhouettes {
   std::vector<Ray> rays;
   std::vector<Plane> planes;
   std::vector<FlatPoint> flats;  ///< where each ray meets the light's plane
-  std::vector<Outline> list;
+  std::vector<Silhouette> list;
   std::vector<Plane> sides;  ///< of a linear light's pyramid; the first two are the light's planes
-  /// On which side of the pyramid's planes the rays of an outline run: row by row from first * (number of planes), one
-  /// row for a plane. The light's own are not filled in.
+  /// On which side of the pyramid's planes the rays of a silhouette run: row by row from first * (number of planes),
+  /// one row for a plane. The light's own are not filled in.
   std::vector<std::int8_t> at_pyramid;
   /// On which side of each plane the light's rays run, one row for a plane. Not filled in for the light's own and for
-  /// outlines inside the light.
+  /// silhouettes inside the light.
   std::vector<std::int8_t> of_light;
 
   void clear() {
@@ -133,7 +133,7 @@ struct Outlines {
     flats.clear();
     list.clear();
   }
-  const std::int8_t* sides_at_pyramid(const Outline& o, std::size_t plane) const {
+  const std::int8_t* sides_at_pyramid(const Silhouette& o, std::size_t plane) const {
     return at_pyramid.data() + o.first * pyramid().size() + plane * o.count;
   }
   const std::int8_t* sides_of_light(std::size_t plane) const { return of_light.data() + plane * list.front().count; }
@@ -141,8 +141,8 @@ struct Outlines {
   std::span<const Plane> pyramid() const {
     return sides.empty() ? planes_of(list.front()) : std::span<const Plane>(sides);
   }
-  std::span<const Ray> rays_of(const Outline& o) const { return {rays.data() + o.first, o.count}; }
-  std::span<const Plane> planes_of(const Outline& o) const { return {planes.data() + o.first, o.count}; }
+  std::span<const Ray> rays_of(const Silhouette& o) const { return {rays.data() + o.first, o.count}; }
+  std::span<const Plane> planes_of(const Silhouette& o) const { return {planes.data() + o.first, o.count}; }
 };
 
 /// Where a direction meets the light's plane.

@@ -1,36 +1,36 @@
 #include <algorithm>
 
 #include "geometry/numbers/orientation.h"
-#include "geometry/visibility/outline_builder.h"
+#include "geometry/visibility/silhouette_builder.h"
 
-// What OutlineBuilder does with solids: they show their silhouette, and hide from within.
+// What SilhouetteBuilder does with solids: they show their silhouette, and hide from within.
 namespace gnomon::sight {
 namespace {
 
 /// An edge between a facet that shows itself to the apex and one that does not.
-struct SilhouetteEdge {
+struct SolidEdge {
   std::uint32_t from;
   std::uint32_t to;
   std::uint32_t name;
 };
 
 /// The silhouette in order around the solid; empty if no facet shows itself: the apex lies in the solid.
-std::vector<SilhouetteEdge> silhouette(const Point3& apex, const ConvexSolid& solid) {
+std::vector<SolidEdge> silhouette_of(const Point3& apex, const ConvexSolid& solid) {
   const std::span<const Point3> points = solid.points();
   std::vector<bool> shows;
   for (const ConvexSolid::Facet& facet : solid.facets()) {
     const auto& loop = facet.loop;
     shows.push_back(exact_orientation(points[loop[0]], points[loop[1]], points[loop[2]], apex) > 0);
   }
-  std::vector<SilhouetteEdge> edges;
+  std::vector<SolidEdge> edges;
   for (std::uint32_t e = 0; e < solid.edges().size(); ++e) {
     const ConvexSolid::Edge& edge = solid.edges()[e];
     if (shows[edge.left] == shows[edge.right]) continue;
-    edges.push_back(shows[edge.left] ? SilhouetteEdge{edge.from, edge.to, e} : SilhouetteEdge{edge.to, edge.from, e});
+    edges.push_back(shows[edge.left] ? SolidEdge{edge.from, edge.to, e} : SolidEdge{edge.to, edge.from, e});
   }
   for (std::size_t k = 0; k + 2 < edges.size(); ++k) {
     const auto next = std::find_if(edges.begin() + static_cast<std::ptrdiff_t>(k) + 1, edges.end(),
-                                   [&](const SilhouetteEdge& edge) { return edge.from == edges[k].to; });
+                                   [&](const SolidEdge& edge) { return edge.from == edges[k].to; });
     std::iter_swap(edges.begin() + static_cast<std::ptrdiff_t>(k) + 1, next);
   }
   return edges;
@@ -39,7 +39,7 @@ std::vector<SilhouetteEdge> silhouette(const Point3& apex, const ConvexSolid& so
 }  // namespace
 
 /// Near the apex the solid is what lies behind all facets through it; a segment meets the solid if it starts into that.
-Seen OutlineBuilder::seen_from_inside(const ConvexSolid& solid) const {
+Seen SilhouetteBuilder::seen_from_inside(const ConvexSolid& solid) const {
   const std::span<const Point3> points = solid.points();
   bool covers = true;
   for (const ConvexSolid::Facet& facet : solid.facets()) {
@@ -62,7 +62,7 @@ Seen OutlineBuilder::seen_from_inside(const ConvexSolid& solid) const {
 
 /// True if the light lies beyond every facet that shows itself to the apex, or in its plane; a linear light not wholly
 /// in it.
-bool OutlineBuilder::light_beyond_all_shown(const ConvexSolid& solid) const {
+bool SilhouetteBuilder::light_beyond_all_shown(const ConvexSolid& solid) const {
   const std::span<const Point3> points = solid.points();
   return std::all_of(solid.facets().begin(), solid.facets().end(), [&](const ConvexSolid::Facet& facet) {
     const auto side_of = [&](const Point3& p) {
@@ -79,17 +79,17 @@ bool OutlineBuilder::light_beyond_all_shown(const ConvexSolid& solid) const {
   });
 }
 
-/// A facet seen edge-on leaves several edges in one plane; their common vertices are no rays of the outline.
-Seen OutlineBuilder::append_solid(const ConvexSolid& solid, std::uint32_t element) {
+/// A facet seen edge-on leaves several edges in one plane; their common vertices are no rays of the silhouette.
+Seen SilhouetteBuilder::append_solid(const ConvexSolid& solid, std::uint32_t element) {
   const std::span<const Point3> points = solid.points();
-  const std::vector<SilhouetteEdge> edges = silhouette(apex_, solid);
+  const std::vector<SolidEdge> edges = silhouette_of(apex_, solid);
   if (edges.empty()) return seen_from_inside(solid);
-  first_ = static_cast<std::uint32_t>(outlines_.rays.size());
+  first_ = static_cast<std::uint32_t>(silhouettes_.rays.size());
   std::vector<std::uint32_t> names;
   for (std::size_t k = 0; k < edges.size(); ++k) {
-    const SilhouetteEdge& before = edges[k == 0 ? edges.size() - 1 : k - 1];
+    const SolidEdge& before = edges[k == 0 ? edges.size() - 1 : k - 1];
     if (exact_orientation(apex_, points[before.from], points[edges[k].from], points[edges[k].to]) == 0) continue;
-    outlines_.rays.emplace_back(apex_, points[edges[k].from]);
+    silhouettes_.rays.emplace_back(apex_, points[edges[k].from]);
     names.push_back(edges[k].name);
   }
   if (certainly_outside() || certainly_behind_apex()) return dropped();

@@ -1,4 +1,4 @@
-#include "geometry/visibility/outline.h"
+#include "geometry/visibility/silhouette.h"
 
 namespace gnomon::sight {
 namespace {

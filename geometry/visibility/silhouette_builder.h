@@ -1,46 +1,46 @@
 #pragma once
 
-/// Builds the outlines of a light and of blockers as seen from an apex. Private to this folder.
+/// Builds the silhouettes of a light and of blockers as seen from an apex. Private to this folder.
 
 #include <span>
 
 #include "geometry/visibility/blocker_content.h"
-#include "geometry/visibility/outline.h"
+#include "geometry/visibility/silhouette.h"
 
 namespace gnomon::sight {
 
 /// What became of a blocker.
 enum class Seen {
   apart,      ///< it hides nothing
-  outlined,   ///< appended to the outlines; it may hide something
+  kept,       ///< appended to the silhouettes; it may hide something
   covers,     ///< it hides the whole light
   undecided,  ///< not for this level
 };
 
 /// What became of all blockers.
 enum class Gathered {
-  outlined,   ///< all that may hide something are among the outlines
+  kept,       ///< all that may hide something are among the silhouettes
   covered,    ///< one hides the whole light
   undecided,  ///< not for this level
 };
 
-/// Whether an outline that runs along a linear light hides it, or is left to the exact level.
+/// Whether a silhouette that runs along a linear light hides it, or is left to the exact level.
 enum class Along { hides, undecided };
 
-/// Appends outlines; the first is the light's.
+/// Appends silhouettes; the first is the light's.
 ///
 /// Of an area light, what only touches hides nothing that counts. A blocker that touches the plane of a linear light
 /// and the point may hide a part of it.
-class OutlineBuilder {
+class SilhouetteBuilder {
  public:
   /// For an area light, the side that it shows to the apex. Keeps a reference to the plane, as below.
-  OutlineBuilder(const Point3& apex, const LightSide& light, Outlines& outlines);
+  SilhouetteBuilder(const Point3& apex, const LightSide& light, Silhouettes& silhouettes);
 
   /// For a linear light: `ends` are its start, its end and a point off the plane through both and the apex, so that
   /// all three span a plane to measure depth by.
   /// Requires: the ends run counterclockwise.
-  OutlineBuilder(const Point3& apex, std::span<const Point3, 3> ends, const LightPlane& plane, Outlines& outlines,
-                 Along along = Along::hides);
+  SilhouetteBuilder(const Point3& apex, std::span<const Point3, 3> ends, const LightPlane& plane,
+                    Silhouettes& silhouettes, Along along = Along::hides);
 
   /// Looks at blockers, and stops at one that covers the light.
   Gathered append_blockers(const BlockerSet::Content& blockers, std::span<const std::uint32_t> candidates);
@@ -61,7 +61,7 @@ class OutlineBuilder {
   void append_planes(std::span<const std::uint32_t> names, bool reversed);
   Seen seen_from_inside(const ConvexSolid& solid) const;
   bool certainly_outside();
-  void make_sides_exact(const Outline& outline);
+  void make_sides_exact(const Silhouette& silhouette);
   bool certainly_behind_apex() const;
   Depth depth_of(std::span<const Ray> rays) const;
   int append_counterclockwise(std::span<const std::uint32_t> names);
@@ -72,7 +72,7 @@ class OutlineBuilder {
   Beyond light_beyond(const Point3& a, const Point3& b, const Point3& c) const;
   bool light_beyond_all_shown(const ConvexSolid& solid) const;
   Seen finished(std::uint32_t element);
-  Seen seen_by_light(const Outline& outline);
+  Seen seen_by_light(const Silhouette& silhouette);
   Seen dropped();
 
   Point3 apex_;
@@ -81,8 +81,8 @@ class OutlineBuilder {
   std::span<const Point3> light_corners_;
   std::span<const Point3> depth_corners_;  ///< three of the light's plane
   const LightPlane& plane_;
-  Outlines& outlines_;
-  std::uint32_t first_ = 0;      ///< of the outline being built
+  Silhouettes& silhouettes_;
+  std::uint32_t first_ = 0;      ///< of the silhouette being built
   bool sides_are_exact_ = true;  ///< of its rays, at the pyramid
   bool inside_ = false;          ///< all of these are positive
   bool reversed_ = false;        ///< its rays run against the corners' order
