@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <utility>
 
 #include "geometry/bodies/boxes.h"
 
@@ -13,24 +12,27 @@ constexpr std::uint32_t leaf_size = 2;
 
 }  // namespace
 
-BoxHierarchy::BoxHierarchy(std::vector<Box3> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
+BoxHierarchy::BoxHierarchy(const std::vector<Box3>& boxes) : order_(boxes.size()) {
   std::iota(order_.begin(), order_.end(), 0U);
-  if (boxes_.empty()) return;
+  if (boxes.empty()) return;
   branches_.emplace_back();
-  build(0, 0, static_cast<std::uint32_t>(boxes_.size()));
+  build(boxes, 0, 0, static_cast<std::uint32_t>(boxes.size()));
+  boxes_.reserve(boxes.size());
+  for (const std::uint32_t n : order_) boxes_.push_back(boxes[n]);
 }
 
-void BoxHierarchy::build(std::uint32_t branch, std::uint32_t first, std::uint32_t last) {
+void BoxHierarchy::build(const std::vector<Box3>& boxes, std::uint32_t branch, std::uint32_t first,
+                         std::uint32_t last) {
   Box3 box = empty_box3();
   for (std::uint32_t i = first; i < last; ++i) {
-    include(box, boxes_[order_[i]].min);
-    include(box, boxes_[order_[i]].max);
+    include(box, boxes[order_[i]].min);
+    include(box, boxes[order_[i]].max);
   }
   branches_[branch] = {box, first, last - first};
   if (last - first <= leaf_size) return;
   const double dx = box.max.x - box.min.x, dy = box.max.y - box.min.y, dz = box.max.z - box.min.z;
   const auto middle = [&](std::uint32_t i) {
-    const Box3& b = boxes_[i];
+    const Box3& b = boxes[i];
     if (dx >= dy && dx >= dz) return b.min.x + b.max.x;
     return dy >= dz ? b.min.y + b.max.y : b.min.z + b.max.z;
   };
@@ -42,8 +44,8 @@ void BoxHierarchy::build(std::uint32_t branch, std::uint32_t first, std::uint32_
   branches_[branch].count = 0;
   branches_.emplace_back();
   branches_.emplace_back();
-  build(child, first, half);
-  build(child + 1, half, last);
+  build(boxes, child, first, half);
+  build(boxes, child + 1, half, last);
 }
 
 }  // namespace gnomon

@@ -15,7 +15,7 @@ namespace gnomon {
 class BoxHierarchy {
  public:
   BoxHierarchy() = default;
-  explicit BoxHierarchy(std::vector<Box3> boxes);
+  explicit BoxHierarchy(const std::vector<Box3>& boxes);
 
   bool empty() const { return branches_.empty(); }
 
@@ -31,8 +31,8 @@ class BoxHierarchy {
       const Branch& branch = branches_[stack[--depth]];
       if (!may_meet(branch.box)) continue;
       for (std::uint32_t i = 0; i < branch.count; ++i) {
-        const std::uint32_t n = order_[branch.first + i];
-        if (branch.count == 1 || may_meet(boxes_[n])) found.push_back(n);
+        const std::uint32_t k = branch.first + i;
+        if (branch.count == 1 || may_meet(boxes_[k])) found.push_back(order_[k]);
       }
       if (branch.count > 0) continue;
       stack[depth++] = branch.first;
@@ -46,10 +46,10 @@ class BoxHierarchy {
     std::uint32_t first = 0;  ///< leaf: first in order_; else the first child
     std::uint32_t count = 0;  ///< leaf: number of boxes; else 0
   };
-  void build(std::uint32_t branch, std::uint32_t first, std::uint32_t last);
+  void build(const std::vector<Box3>& boxes, std::uint32_t branch, std::uint32_t first, std::uint32_t last);
 
-  std::vector<Box3> boxes_;
-  std::vector<std::uint32_t> order_;
+  std::vector<std::uint32_t> order_;  ///< numbers of boxes, as the leaves have them
+  std::vector<Box3> boxes_;           ///< in this order
   std::vector<Branch> branches_;
 };
 

@@ -72,8 +72,8 @@ class EventScene::Builder {
     }
     add_cuts();
     add_cutting_facets();
-    scene_.shape_boxes = BoxHierarchy(std::move(boxes_));
-    scene_.receiver_boxes = BoxHierarchy(std::move(receiver_boxes_));
+    scene_.shape_boxes = BoxHierarchy(boxes_);
+    scene_.receiver_boxes = BoxHierarchy(receiver_boxes_);
   }
 
  private:

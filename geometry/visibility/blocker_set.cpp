@@ -149,7 +149,7 @@ BlockerSet::BlockerSet(std::span<const ConvexBlocker> blockers) {
     std::visit([&](const auto& shape) { append(*content, shape); }, blocker);
   }
   find_mates(*content);
-  if (blockers.size() >= smallest_tree) content->boxes = BoxHierarchy(std::move(boxes));
+  if (blockers.size() >= smallest_tree) content->boxes = BoxHierarchy(boxes);
   content_ = std::move(content);
 }
 
