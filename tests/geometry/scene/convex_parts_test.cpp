@@ -312,6 +312,19 @@ TEST(EnclosedSpace, OfAnOpenMeshAndOfOtherBlockersIsNothing) {
   EXPECT_FALSE(enclosed_space({"post", Polytope{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}}));
 }
 
+TEST(SceneBodies, AreThePartsOfAllBlockersWithTheirNamesAndWhatClosedMeshesEnclose) {
+  SpaceScene scene;
+  scene.blockers.push_back({"table", ConvexPolygon::from_points({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})});
+  scene.blockers.push_back({"vase", block_of_l()});
+  const SceneBodies bodies = scene_bodies(scene);
+  ASSERT_EQ(bodies.names.size(), 11U);
+  EXPECT_EQ(bodies.obstacles.blockers.size(), 11U);
+  EXPECT_THAT(bodies.names[0], "table");
+  EXPECT_THAT(bodies.names[10], "vase#7");
+  EXPECT_THAT(bodies.blocker_ids, ElementsAre(0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1));
+  EXPECT_EQ(bodies.obstacles.enclosures.size(), 1U);
+}
+
 TEST(ConvexPartsDegenerate, AFacetRoundedInAMeshIsASolid) {
   Mesh mesh{"leaf.obj", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 1e-12}}, {{0, 1, 2, 3}}, false};
   const auto parts = convex_parts({"leaf", mesh});
