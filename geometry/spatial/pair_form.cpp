@@ -4,6 +4,7 @@
 
 #include "geometry/spatial/light_contact.h"
 #include "geometry/spatial/pair_sides.h"
+#include "gnomon/errors.h"
 
 namespace gnomon {
 namespace {
@@ -103,18 +104,25 @@ Position PairForm::position() {
   return *position_;
 }
 
-bool PairForm::is_supported() {
-  if (is_flat(*light_)) return true;
+std::string_view PairForm::refusal() {
+  if (is_flat(*light_)) return {};
   const auto& area = std::get<AreaLight>(*light_);
-  return stand_apart(bodies()) && (area.two_sided || is_in_front(bodies(), area.polygon));
+  if (stand_apart(bodies()) && (area.two_sided || is_in_front(bodies(), area.polygon))) return {};
+  return "the light's vertices are not exactly coplanar, so the blocker has to lie strictly apart from it, and "
+         "strictly "
+         "in front if it is one-sided";
+}
+
+void PairForm::require_support() {
+  if (!refusal().empty()) throw PreconditionError(std::string(refusal()));
 }
 
 Position pair_position(const Light& light, const ConvexBlocker& blocker) {
   return PairForm(light, blocker).position();
 }
 
-bool is_supported(const Light& light, const ConvexBlocker& blocker) {
-  return is_flat(light) || PairForm(light, blocker).is_supported();
+std::string_view pair_refusal(const Light& light, const ConvexBlocker& blocker) {
+  return is_flat(light) ? "" : PairForm(light, blocker).refusal();
 }
 
 }  // namespace gnomon

@@ -7,11 +7,6 @@
 
 namespace gnomon {
 
-/// Why a pair is not supported.
-inline constexpr const char* unsupported_pair =
-    "the light's vertices are not exactly coplanar, so the blocker has to lie strictly apart from it, and strictly in "
-    "front if it is one-sided";
-
 /// What is asked of a pair before anything else, found out once: how the two stand to each other, and the form in which
 /// its algorithms take them. Each answer is worked out when it is first asked for.
 ///
@@ -23,8 +18,11 @@ class PairForm {
   /// See pair_position.
   Position position();
 
-  /// See is_supported.
-  bool is_supported();
+  /// See pair_refusal.
+  std::string_view refusal();
+
+  /// Throws: PreconditionError if there is a refusal.
+  void require_support();
 
   /// The pair if it is one in standard position: a flat blocker, and a finite light that is flat or has no area.
   const std::optional<StandardPair>& standard() const { return standard_; }

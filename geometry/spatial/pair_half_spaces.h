@@ -28,7 +28,7 @@ struct PairHalfSpaces {
 ///             corners outside the blocker, bounded by facets that one of these sees and by supporting planes; where a
 ///             part of the light with extent lies in a facet of a solid, that facet's plane bounds it too. Both are cut
 ///             by a one-sided flat light's plane where the blocker does not lie strictly in front of it.
-/// Requires:   is_supported(light, blocker).
+/// Requires:   no pair_refusal(light, blocker).
 /// Exactness:  signs of orientation determinants of input points; where the light reaches into a solid, exact
 ///             arithmetic on points constructed on the light.
 /// After:      [P93] §5.2.3; theory S6, S9, S11.

@@ -20,7 +20,7 @@ struct PreparedPair {
 };
 
 /// Requires: light and blocker outlive the result; the form is theirs.
-/// Throws:   PreconditionError unless is_supported(light, blocker).
+/// Throws:   PreconditionError if there is a pair_refusal(light, blocker).
 PreparedPair prepared_pair(const Light& light, PairForm form);
 PreparedPair prepared_pair(const Light& light, const ConvexBlocker& blocker);
 

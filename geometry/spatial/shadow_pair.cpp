@@ -3,13 +3,12 @@
 #include <utility>
 
 #include "geometry/spatial/prepared_pair.h"
-#include "gnomon/errors.h"
 #include "gnomon/shadow_mesh.h"
 
 namespace gnomon {
 
 PreparedPair prepared_pair(const Light& light, PairForm form) {
-  if (!form.is_supported()) throw PreconditionError(unsupported_pair);
+  form.require_support();
   PreparedPair result;
   result.standard = form.standard();
   if (result.standard) {
@@ -32,7 +31,7 @@ struct ShadowPair::Content {
         blocker(std::move(given_blocker)),
         form(light, blocker),
         position(form.position()),
-        is_supported(form.is_supported()) {}
+        refusal(form.refusal()) {}
 
   const PreparedPair& prepared() const {
     std::call_once(is_prepared, [&] { made.emplace(prepared_pair(light, std::move(form))); });
@@ -43,7 +42,7 @@ struct ShadowPair::Content {
   ConvexBlocker blocker;
   mutable PairForm form;
   Position position;
-  bool is_supported;
+  std::string_view refusal;
   mutable std::once_flag is_prepared;
   mutable std::optional<PreparedPair> made;
 };
@@ -59,12 +58,8 @@ Position ShadowPair::position() const {
   return content_->position;
 }
 
-bool ShadowPair::is_supported() const {
-  return content_->is_supported;
-}
-
 std::string_view ShadowPair::refusal() const {
-  return content_->is_supported ? "" : unsupported_pair;
+  return content_->refusal;
 }
 
 ShadowVolumes ShadowPair::volumes() const {

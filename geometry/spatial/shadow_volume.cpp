@@ -2,7 +2,6 @@
 
 #include "geometry/spatial/prepared_pair.h"
 #include "geometry/spatial/volume_extent.h"
-#include "gnomon/errors.h"
 #include "gnomon/pair.h"
 
 namespace gnomon {
@@ -66,7 +65,7 @@ ShadowVolumes volumes_of(PreparedPair pair, const Light& light, const ConvexBloc
 
 ConvexVolume convex_hull_shadow_volume(const Light& light, const ConvexBlocker& blocker) {
   PairForm form(light, blocker);
-  if (!form.is_supported()) throw PreconditionError(unsupported_pair);
+  form.require_support();
   PairHalfSpaces half_spaces = pair_half_spaces(form.bodies(), light);
   return {std::move(half_spaces.occlusion), half_spaces.occlusion_empty};
 }

@@ -48,10 +48,13 @@ std::string_view name(Position position);
 /// Cost:       O(n + m) for flat polygons.
 Position pair_position(const Light& light, const ConvexBlocker& blocker);
 
-/// False for the one kind of pair whose shadow is not that of the hulls: a light whose vertices were rounded off their
-/// plane, unless the plane of one of its hull's facets, or of the blocker's, holds the two strictly apart, and the
-/// blocker lies strictly in front of a one-sided one.
-bool is_supported(const Light& light, const ConvexBlocker& blocker);
+/// Why the shadow of a pair is not computed, in words for people; empty if it is.
+///
+/// Definition: refused is the one kind of pair whose shadow is not that of the hulls: a light whose vertices were
+/// rounded
+///             off their plane, unless the plane of one of its hull's facets, or of the blocker's, holds the two
+///             strictly apart, and the blocker lies strictly in front of a one-sided one.
+std::string_view pair_refusal(const Light& light, const ConvexBlocker& blocker);
 
 /// The plane through a blocker edge that touches the light, named by input elements alone.
 struct BlockerPlane {

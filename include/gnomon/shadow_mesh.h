@@ -83,7 +83,7 @@ struct ShadowParts {
 
 /// The volumes of a pair in any position as closed meshes and convex cells, cut exactly by the box.
 ///
-/// Requires: is_supported(light, blocker); box.min < box.max in every coordinate, all finite.
+/// Requires: no pair_refusal(light, blocker); box.min < box.max in every coordinate, all finite.
 /// Cost:     occlusion and umbra O(k log k) expected for k half-spaces; the cells O(k^2).
 /// Throws:   PreconditionError.
 ShadowMeshes shadow_meshes(const Light& light, const ConvexBlocker& blocker, const Box3& box,
@@ -97,16 +97,13 @@ class ShadowPair {
 
   const ConvexBlocker& blocker() const;
 
-  /// As pair_position and is_supported.
+  /// As pair_position and pair_refusal.
   Position position() const;
-  bool is_supported() const;
-
-  /// Why it is not supported, in words for people; empty if it is.
   std::string_view refusal() const;
 
   /// As shadow_volumes and shadow_meshes.
   ///
-  /// Requires: is_supported().
+  /// Requires: no refusal.
   /// Throws:   PreconditionError.
   ShadowVolumes volumes() const;
   ShadowMeshes meshes(const Box3& box, const ShadowParts& parts = {}) const;
@@ -136,7 +133,7 @@ struct MergedOcclusion {
 ///             with the square of n, or a little faster, where all shadows overlap.
 class OcclusionMerger {
  public:
-  /// Requires: is_supported(light, part) for every part; box.min < box.max in every coordinate, all finite.
+  /// Requires: no pair_refusal(light, part) of any part; box.min < box.max in every coordinate, all finite.
   /// Throws:   PreconditionError.
   OcclusionMerger(const Light& light, std::span<const ConvexBlocker> parts, const Box3& box);
   OcclusionMerger(OcclusionMerger&&) noexcept;

@@ -90,8 +90,9 @@ struct ShadowVolumes {
 
 /// The shadow volumes of a pair, in any position.
 ///
-/// Requires:   is_supported(light, blocker): all pairs but some of lights whose vertices were rounded off their plane.
-/// Degenerate: a flat blocker coplanar with the light, and one behind a one-sided light, throw no shadow. A light that
+/// Requires:   no pair_refusal(light, blocker): all pairs but some of lights whose vertices were rounded off their
+/// plane. Degenerate: a flat blocker coplanar with the light, and one behind a one-sided light, throw no shadow. A
+/// light that
 ///             reaches into a solid darkens all of space to some degree.
 /// Exactness:  all decisions are exact.
 /// Throws:     PreconditionError.

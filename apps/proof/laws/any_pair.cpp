@@ -183,7 +183,7 @@ Example example(const AnyPair& pair) {
 }
 
 void count_regions(const AnyPair& pair, Census& census) {
-  if (is_supported(pair.light, pair.blocker)) census.add(shadow_volumes(pair.light, pair.blocker));
+  if (pair_refusal(pair.light, pair.blocker).empty()) census.add(shadow_volumes(pair.light, pair.blocker));
   if (pair.points.empty()) return;
   census.add_point(exact_visibility(pair.light, {{pair.blocker}, {}}, pair.points.front()).region);
 }
@@ -192,7 +192,7 @@ AnyPair draw_any_pair(Domain domain, PairLightKind light_kind, PairBlockerKind b
   const Bend common = draw_bend(domain);
   const Bend of_light = once_in(3) ? draw_bend(domain) : common;
   AnyPair pair{draw_light(light_kind, of_light), draw_blocker(blocker_kind, common), {}};
-  for (double distance = 1; !is_supported(pair.light, pair.blocker); distance *= 2) {
+  for (double distance = 1; !pair_refusal(pair.light, pair.blocker).empty(); distance *= 2) {
     Points vertices = light_points(pair.light);
     for (Point3& p : vertices) p = moved(p, distance, {1, 2, 5});
     const bool is_polygon_still = is_polygon(vertices);

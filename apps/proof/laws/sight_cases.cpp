@@ -252,7 +252,7 @@ Example example(const SightCase& drawn) {
 }
 
 void count_regions(const SightCase& drawn, Census& census) {
-  const bool is_pair = drawn.blockers.size() == 1 && is_supported(drawn.light, drawn.blockers.front());
+  const bool is_pair = drawn.blockers.size() == 1 && pair_refusal(drawn.light, drawn.blockers.front()).empty();
   if (is_pair) census.add(shadow_volumes(drawn.light, drawn.blockers.front()));
   census.add_point(exact_visibility(drawn.light, {drawn.blockers, {}}, drawn.point).region);
 }

@@ -101,7 +101,7 @@ Box3 image_of(const Box3& box, const Image& image) {
 std::optional<Case> image_of(const Case& drawn, const Image& image) {
   const std::optional<Light> light = image_of(drawn.light, image);
   const std::optional<ConvexBlocker> blocker = image_of(drawn.blocker, image);
-  if (!light || !blocker || !is_supported(*light, *blocker)) return std::nullopt;
+  if (!light || !blocker || !pair_refusal(*light, *blocker).empty()) return std::nullopt;
   return Case{*light, *blocker, image_of(drawn.box, image)};
 }
 

@@ -133,7 +133,7 @@ Rational union_volume_by_inclusion_and_exclusion(const MergeCase& drawn) {
 MergeCase draw_supported_case(Domain domain) {
   MergeCase drawn = draw_case(domain);
   for (const ConvexBlocker& part : drawn.parts) {
-    if (!is_supported(drawn.light, part)) RC_DISCARD("no volumes are defined");
+    if (!pair_refusal(drawn.light, part).empty()) RC_DISCARD("no volumes are defined");
   }
   return drawn;
 }
