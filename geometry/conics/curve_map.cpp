@@ -51,6 +51,13 @@ int compare_at(const ParameterAlong& s, const Rational& x, RealRoot& root, int d
 CurveMap::CurveMap(std::span<const Side> sides, std::span<const NamedArc> arcs) : sides_(sides.begin(), sides.end()) {
   std::uint32_t vertices = 0;
   for (const Side& s : sides_) vertices = std::max({vertices, s.from_vertex + 1, s.to_vertex + 1});
+  {
+    const CGAL::Protect_FPU_rounding<true> upward;
+    for (const Side& s : sides_) {
+      near_vertices_.push_back({enclosure(s.from.x), enclosure(s.from.y)});
+      near_vertices_.push_back({enclosure(s.to.x), enclosure(s.to.y)});
+    }
+  }
   for (std::uint32_t k = 0; k < sides_.size(); ++k) add_side(sides_[k], k);
   for (const NamedArc& arc : arcs) add_arc(arc);
   if (!is_complete_) return;
@@ -70,7 +77,9 @@ std::uint32_t CurveMap::curve_like(const FlatCurve& curve) {
   const auto [found, is_new] =
       curve_of_form_.try_emplace(normal_form(curve), static_cast<std::uint32_t>(curves_.size()));
   if (is_new) {
+    const CGAL::Protect_FPU_rounding<true> upward;
     curves_.push_back(curve);
+    near_.emplace_back(curve);
     stretches_.emplace_back();
   }
   return found->second;
@@ -166,24 +175,25 @@ bool CurveMap::is_on_stretch(std::uint32_t curve, RealRoot& root) const {
                      [&](const Stretch& s) { return compare(root, s.from) >= 0 && compare(root, s.to) <= 0; });
 }
 
+Range CurveMap::hull(std::uint32_t curve) const {
+  Range all{stretches_[curve].front().from, stretches_[curve].front().to};
+  for (const Stretch& s : stretches_[curve]) all = {std::min(all.from, s.from), std::max(all.to, s.to)};
+  return all;
+}
+
+/// False only if intervals tell that some stretches of the one curve lie off the other.
+bool CurveMap::may_meet(std::uint32_t a, std::uint32_t b) const {
+  const CGAL::Protect_FPU_rounding<true> upward;
+  return std::any_of(stretches_[a].begin(), stretches_[a].end(), [&](const Stretch& s) {
+    return !certainly_avoids(near_[b], near_[a], enclosure(s.from), enclosure(s.to));
+  });
+}
+
 void CurveMap::find_meetings(std::uint32_t a, std::uint32_t b) {
-  const auto hull = [&](std::uint32_t c) {
-    Range all{stretches_[c].front().from, stretches_[c].front().to};
-    for (const Stretch& s : stretches_[c]) all = {std::min(all.from, s.from), std::max(all.to, s.to)};
-    return all;
-  };
-  const auto roots_on = [&](std::uint32_t c, std::uint32_t other) -> std::vector<RealRoot> {
-    const Polynomial form = form_along(curves_[other], curves_[c]);
+  if (!may_meet(a, b) || !may_meet(b, a)) return;
+  const auto roots_on = [&](std::uint32_t c, std::uint32_t other) {
     const Range range = hull(c);
-    {
-      const CGAL::Protect_FPU_rounding<true> upward;
-      const auto enclosure = [](const Rational& x) {
-        const auto [low, high] = CGAL::to_interval(x);
-        return Interval(low, high);
-      };
-      if (form.is_certainly_signed(enclosure(range.from), enclosure(range.to))) return {};
-    }
-    return real_roots(form, range.from, range.to);
+    return real_roots(form_along(curves_[other], curves_[c]), range.from, range.to);
   };
   std::vector<RealRoot> on_a = roots_on(a, b);
   std::erase_if(on_a, [&](RealRoot& root) { return !is_on_stretch(a, root); });
@@ -284,8 +294,27 @@ void CurveMap::make_pieces_of(std::uint32_t c) {
   }
 }
 
+/// The same as below, where intervals tell.
+std::optional<bool> CurveMap::is_certainly_in_polygon(const FlatPoint& p) const {
+  const CGAL::Protect_FPU_rounding<true> upward;
+  const Interval x = enclosure(p.x), y = enclosure(p.y);
+  bool is_inside = false;
+  for (std::size_t k = 0; k < sides_.size(); ++k) {
+    if (sides_[k].is_inside) continue;
+    const NearPoint &from = near_vertices_[2 * k], &to = near_vertices_[2 * k + 1];
+    const Interval at_from = from.y - y, at_to = to.y - y;
+    if ((at_from.inf() <= 0 && at_from.sup() >= 0) || (at_to.inf() <= 0 && at_to.sup() >= 0)) return std::nullopt;
+    if ((at_from.inf() > 0) == (at_to.inf() > 0)) continue;
+    const Interval turn = (to.x - from.x) * (y - from.y) - (to.y - from.y) * (x - from.x);
+    if (turn.inf() <= 0 && turn.sup() >= 0) return std::nullopt;
+    if ((turn.inf() > 0) == (at_to.inf() > 0)) is_inside = !is_inside;
+  }
+  return is_inside;
+}
+
 /// By the sides that a ray along x crosses. Requires: a point on none of them.
 bool CurveMap::is_in_polygon(const FlatPoint& p) const {
+  if (const auto known = is_certainly_in_polygon(p)) return *known;
   bool is_inside = false;
   for (const Side& s : sides_) {
     if (s.is_inside || (s.from.y > p.y) == (s.to.y > p.y)) continue;
@@ -430,32 +459,36 @@ void CurveMap::make_cells() {
 
 namespace {
 
-/// True if the form has no zero at p + s d for 0 < s <= length.
-bool is_clear(const std::array<Rational, 3>& form, const Rational& length) {
-  const Rational b = form[1] * length, c = form[2] * length * length;
-  if (form[0] == 0) {
+/// True if the form has no zero at p + s d for 0 < s <= 1.
+bool has_no_zero(const std::array<Rational, 3>& form) {
+  const auto& [a, b, c] = form;
+  if (a == 0) {
     const int at_start = b.sign(), at_end = Rational(b + c).sign();
     return at_start == 0 ? c != 0 : at_start == at_end;
   }
   // Bernstein coefficients.
-  const int sign = form[0].sign();
-  return Rational(form[0] + b / 2).sign() == sign && Rational(form[0] + b + c).sign() == sign;
+  const int sign = a.sign();
+  return Rational(a + b / 2).sign() == sign && Rational(a + b + c).sign() == sign;
+}
+
+/// The same where intervals tell that it has none.
+bool certainly_has_no_zero(const std::array<Interval, 3>& form) {
+  const auto& [a, b, c] = form;
+  const Interval middle = a + b / Interval(2), end = a + b + c;
+  return (a.inf() > 0 && middle.inf() > 0 && end.inf() > 0) || (a.sup() < 0 && middle.sup() < 0 && end.sup() < 0);
 }
 
 }  // namespace
 
-/// The curves' forms from a point on, in a direction roughly across another one to its left, along none of them.
-CurveMap::Way CurveMap::way_into(const FlatPoint& start, const FlatPoint& along) const {
-  const Rational size = std::max(Rational(abs(along.x)), Rational(abs(along.y)));
-  const Rational x(nearest_double(Rational(along.x / size))), y(nearest_double(Rational(along.y / size)));
-  for (int tilt = 0;; ++tilt) {
-    const Rational share(tilt, 8);
-    Way way{{Rational(-y + share * x), Rational(x + share * y)}, {}};
-    for (const FlatCurve& c : curves_) way.forms.push_back(form_on_line(c, start, way.direction));
-    const bool is_along_one = std::any_of(way.forms.begin(), way.forms.end(),
-                                          [](const auto& f) { return f[0] == 0 && f[1] == 0 && f[2] == 0; });
-    if (!is_along_one) return way;
+/// True if no curve is met on the way from a point, but where it starts.
+bool CurveMap::is_clear(const FlatPoint& start, const FlatPoint& way) const {
+  const CGAL::Protect_FPU_rounding<true> upward;
+  const NearPoint p{enclosure(start.x), enclosure(start.y)}, d{enclosure(way.x), enclosure(way.y)};
+  for (std::size_t c = 0; c < curves_.size(); ++c) {
+    if (certainly_has_no_zero(form_on_line(near_[c], p, d))) continue;
+    if (!has_no_zero(form_on_line(curves_[c], start, way))) return false;
   }
+  return true;
 }
 
 FlatPoint CurveMap::inner_point(std::size_t cell) const {
@@ -468,27 +501,25 @@ FlatPoint CurveMap::inner_point(std::size_t cell) const {
   const FlatCurve& curve = curves_[piece.curve];
   RealRoot from = piece.from, to = piece.to;
   const Rational t = number_between(from, to);
-  const FlatPoint start = *curve.at(t);
-  FlatPoint along = direction(curve, t);
-  if (use % 2 == 1) along = {Rational(-along.x), Rational(-along.y)};
-  const Way way = way_into(start, along);
+  const FlatPoint start = *curve.at(t), along = direction(curve, t);
+  const Rational size = Rational(std::max(Rational(abs(along.x)), Rational(abs(along.y)))) * (use % 2 == 0 ? 1 : -1);
+  const Rational x(nearest_double(Rational(along.x / size))), y(nearest_double(Rational(along.y / size)));
   Rational length = 0;
   for (const Side& s : sides_) {
     length = std::max({length, Rational(abs(s.from.x - start.x)), Rational(abs(s.from.y - start.y))});
   }
   length = Rational(nearest_double(length));
-  for (const auto& form : way.forms) {
-    while (!is_clear(form, length)) length /= 2;
+  // Roughly across, to the left, at another slant each time: along a line through the start no way is clear.
+  FlatPoint way;
+  for (int trial = 0;; ++trial, length /= 2) {
+    const Rational slant(trial % 8, 16);
+    way = {Rational(length * (slant * x - y)), Rational(length * (x + slant * y))};
+    if (is_clear(start, way)) break;
   }
-  const FlatPoint inside{Rational(start.x + length / 2 * way.direction.x),
-                         Rational(start.y + length / 2 * way.direction.y)};
+  const FlatPoint inside{Rational(start.x + way.x / 2), Rational(start.y + way.y / 2)};
   // A point of doubles, if the way there is clear, too.
   const FlatPoint rounded{Rational(nearest_double(inside.x)), Rational(nearest_double(inside.y))};
-  const FlatPoint rest{Rational(rounded.x - inside.x), Rational(rounded.y - inside.y)};
-  const bool is_clear_way = std::all_of(curves_.begin(), curves_.end(), [&](const FlatCurve& c) {
-    return is_clear(form_on_line(c, inside, rest), Rational(1));
-  });
-  return is_clear_way ? rounded : inside;
+  return is_clear(inside, {Rational(rounded.x - inside.x), Rational(rounded.y - inside.y)}) ? rounded : inside;
 }
 
 }  // namespace gnomon::conic

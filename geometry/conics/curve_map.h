@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/conics/flat_curve.h"
+#include "geometry/conics/near_curve.h"
 
 namespace gnomon::conic {
 
@@ -91,11 +91,6 @@ class CurveMap {
     int way = 1;  ///< in which the parameter changes as one leaves the node
   };
 
-  struct Way {
-    FlatPoint direction;
-    std::vector<std::array<Rational, 3>> forms;  ///< of each curve, as form_on_line has them
-  };
-
   void add_side(const Side& side, std::uint32_t index);
   void add_arc(const NamedArc& arc);
   std::uint32_t curve_like(const FlatCurve& curve);
@@ -108,17 +103,22 @@ class CurveMap {
   void make_pieces();
   void make_pieces_of(std::uint32_t curve);
   bool is_in_polygon(const FlatPoint& p) const;
+  std::optional<bool> is_certainly_in_polygon(const FlatPoint& p) const;
+  bool may_meet(std::uint32_t a, std::uint32_t b) const;
+  Range hull(std::uint32_t curve) const;
+  bool is_clear(const FlatPoint& start, const FlatPoint& way) const;
   void drop_loose_ends();
   bool add_cuts();
   void make_cells();
   std::vector<End> ordered(std::vector<End> ends) const;
   int side_of(const End& line, const End& other, int other_way) const;
   FlatPoint point_near(const End& end, int way, const FlatCurve& other) const;
-  Way way_into(const FlatPoint& start, const FlatPoint& along) const;
 
   std::vector<Side> sides_;
   bool is_complete_ = true;
   std::vector<FlatCurve> curves_;
+  std::vector<NearCurve> near_;           ///< the same
+  std::vector<NearPoint> near_vertices_;  ///< of each side the start, and after all of them their ends
   std::map<std::vector<Integer>, std::uint32_t> curve_of_form_;
   std::vector<std::vector<Stretch>> stretches_;  ///< of each curve
   std::vector<std::vector<Break>> breaks_;       ///< of each curve, ascending

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "geometry/discontinuity/open_lines.h"
 #include "geometry/discontinuity/outline.h"
 
 // Notation. p: a point of the piece, which looks. i, j, k: edges that may bound what is seen from there, n_i the normal
@@ -315,7 +316,9 @@ class TripleTracer {
     along_y_ = plane.spatial(FlatPoint{0, 1}) - origin_;
   }
 
-  void append_traces(const EdgeTriple& t, std::uint32_t name, std::vector<conic::NamedArc>& found) const {
+  /// Those of three edges no two of which lie in one plane are given with their lines, to be looked at.
+  void append_traces(const EdgeTriple& t, std::uint32_t name, std::vector<conic::NamedArc>& found,
+                     std::vector<ArcOfLines>& with_lines) const {
     bool is_general = true;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t i = t.edges[k], j = t.edges[(k + 1) % 3], other = t.edges[(k + 2) % 3];
@@ -323,7 +326,7 @@ class TripleTracer {
       is_general = false;
       append_traces_of_coplanar(edges_[i], edges_[j], edges_[other], name, found);
     }
-    if (is_general) append_arcs(edges_[t.edges[0]], edges_[t.edges[1]], edges_[t.edges[2]], name, found);
+    if (is_general) append_arcs(edges_[t.edges[0]], edges_[t.edges[1]], edges_[t.edges[2]], with_lines);
   }
 
  private:
@@ -348,8 +351,7 @@ class TripleTracer {
                               trace(base.b.exact, edge.a.exact, edge.b.exact));
   }
 
-  void append_arcs(const Outline& base, const Outline& j, const Outline& k, std::uint32_t name,
-                   std::vector<conic::NamedArc>& found) const {
+  void append_arcs(const Outline& base, const Outline& j, const Outline& k, std::vector<ArcOfLines>& found) const {
     const auto sides = [&](const Outline& edge, const ExactVector& x) -> std::array<Rational, 2> {
       return {volume(base.a.exact, edge.a.exact, edge.b.exact, x), volume(base.b.exact, edge.a.exact, edge.b.exact, x)};
     };
@@ -359,7 +361,9 @@ class TripleTracer {
     if (ranges.empty()) return;
     const conic::LinePencil of_j = pencil(base, j), of_k = pencil(base, k);
     for (const conic::Range& range : ranges) {
-      for (conic::FlatArc& arc : conic::arcs(of_j, of_k, range, half_width_)) found.push_back({std::move(arc), name});
+      for (conic::FlatArc& arc : conic::arcs(of_j, of_k, range, half_width_)) {
+        found.push_back({std::move(arc), of_j, {&base, &j, &k}});
+      }
     }
   }
 
@@ -435,6 +439,21 @@ Rational half_width_of(std::span<const FlatTriangle> triangles) {
   return 2 * most;
 }
 
+FlatEnclosure box_around(std::span<const FlatTriangle> triangles) {
+  const FlatPoint& first = triangles.front().corners().front();
+  FlatPoint low = first, high = first;
+  for (const FlatTriangle& t : triangles) {
+    for (const FlatPoint& p : t.corners()) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+  }
+  const auto span = [](const Rational& a, const Rational& b) {
+    return Interval(CGAL::to_interval(a).first, CGAL::to_interval(b).second);
+  };
+  return {span(low.x, high.x), span(low.y, high.y)};
+}
+
 struct EdgeTripleOrder {
   bool operator()(const EdgeTriple& a, const EdgeTriple& b) const {
     return std::ranges::lexicographical_compare(a.edges, b.edges);
@@ -458,10 +477,17 @@ ClosingArcs closing_arcs(const EventScene& scene, std::span<const ShapeId> shape
   }
   ClosingArcs found;
   const TripleTracer tracer(outlines.edges, plane, half_width_of(triangles), is_linear);
+  OpenLines open_lines(scene, shapes, plane, box_around(triangles));
   for (const auto& [triple, pieces] : pieces_of) {
     std::vector<conic::NamedArc> traced;
+    std::vector<ArcOfLines> with_lines;
     const auto name = static_cast<std::uint32_t>(found.names.size());
-    tracer.append_traces(triple, name, traced);
+    tracer.append_traces(triple, name, traced, with_lines);
+    for (const ArcOfLines& arc : with_lines) {
+      for (const conic::Range& range : open_lines.ranges(arc)) {
+        traced.push_back({{arc.arc.curve, range.from, range.to}, name});
+      }
+    }
     std::erase_if(traced, [&](const conic::NamedArc& arc) {
       return std::none_of(pieces.begin(), pieces.end(), [&](std::size_t f) { return triangles[f].may_meet(arc.arc); });
     });

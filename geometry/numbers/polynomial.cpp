@@ -24,18 +24,6 @@ void make_primitive(Coefficients& p) {
   for (Integer& c : p) c /= common;
 }
 
-/// An interval around c / 2^exponent.
-Interval scaled(const Integer& c, long exponent) {
-  if (c == 0) return 0;
-  long own = 0;
-  const double mantissa = mpz_get_d_2exp(&own, c.backend().data());  // rounded towards zero
-  const long power = own - exponent;
-  if (power < -900) return c > 0 ? Interval(0, 0x1p-899) : Interval(-0x1p-899, 0);
-  const double less = std::ldexp(std::fabs(mantissa), static_cast<int>(power));
-  const double more = std::ldexp(std::fabs(mantissa) + 0x1p-52, static_cast<int>(power));
-  return c > 0 ? Interval(less, more) : Interval(-more, -less);
-}
-
 Interval enclosure_of(const Rational& x) {
   const auto [low, high] = CGAL::to_interval(x);
   return {low, high};
@@ -79,6 +67,21 @@ Integer root_bound(const Polynomial& p) {
 
 }  // namespace
 
+Interval scaled(const Integer& c, long exponent) {
+  if (c == 0) return 0;
+  long own = 0;
+  const double mantissa = mpz_get_d_2exp(&own, c.backend().data());  // rounded towards zero
+  const long power = own - exponent;
+  if (power < -900) return c > 0 ? Interval(0, 0x1p-899) : Interval(-0x1p-899, 0);
+  const double less = std::ldexp(std::fabs(mantissa), static_cast<int>(power));
+  const double more = std::ldexp(std::fabs(mantissa) + 0x1p-52, static_cast<int>(power));
+  return c > 0 ? Interval(less, more) : Interval(-more, -less);
+}
+
+long exponent_of(const Integer& c) {
+  return c == 0 ? 0 : static_cast<long>(msb(abs(c)));
+}
+
 Coefficients operator+(const Coefficients& a, const Coefficients& b) {
   Coefficients sum = a.size() < b.size() ? b : a;
   const Coefficients& other = a.size() < b.size() ? a : b;
@@ -120,9 +123,7 @@ Polynomial::Polynomial(Coefficients coefficients) : coefficients_(std::move(coef
   trim(coefficients_);
   make_primitive(coefficients_);
   long most = 0;
-  for (const Integer& c : coefficients_) {
-    if (c != 0) most = std::max(most, static_cast<long>(msb(abs(c))));
-  }
+  for (const Integer& c : coefficients_) most = std::max(most, exponent_of(c));
   for (const Integer& c : coefficients_) near_.push_back(scaled(c, most));
 }
 

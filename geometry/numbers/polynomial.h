@@ -21,6 +21,12 @@ Coefficients operator*(const Integer& factor, const Coefficients& a);
 /// The value at n / d, times d^degree with d > 0, for a degree of at least that of the polynomial.
 Integer homogeneous_value(const Coefficients& p, const Rational& x, std::size_t degree);
 
+/// An interval around c / 2^exponent. Requires: the rounding mode is protected.
+Interval scaled(const Integer& c, long exponent);
+
+/// The number of bits of an integer, less one; 0 of zero.
+long exponent_of(const Integer& c);
+
 /// A polynomial, up to a positive factor.
 class Polynomial {
  public:
