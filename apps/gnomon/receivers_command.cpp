@@ -43,9 +43,8 @@ void add_options(CommandLine& app, ReceiversOptions& options) {
   add_threads_option(app, options);
   add_quiet_option(app, options);
   app.footer(
-      "Each receiver is divided by every discontinuity but those of three edges in line. Faces are labelled lit,\n"
-      "penumbra, umbra, unlit, or unresolved_eee where three edges in line may separate penumbra and umbra inside a\n"
-      "face. Only what of the light lies strictly before a receiver's plane counts. Unlit is what has nothing of it\n"
+      "Each receiver is divided by every discontinuity; of those of three edges in line, which are arcs of conics, by\n"
+      "those that bound an umbra. Faces are labelled lit, penumbra, umbra or unlit. Only what of the light lies strictly before a receiver's plane counts. Unlit is what has nothing of it\n"
       "before, or sees its back or its edge. Areas are in squares of the scene's unit of length.\n\n"
       "Examples:\n"
       "  gnomon receivers examples/cornell_box.scene.json --receiver floor\n"

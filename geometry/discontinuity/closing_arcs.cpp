@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "geometry/discontinuity/open_lines.h"
@@ -38,15 +38,21 @@ unsigned bit(int sign) {
   return sign < 0 ? 1U : sign > 0 ? 2U : 0U;
 }
 
+struct Corner {
+  Place place;
+  bool is_border = false;
+};
+
 /// Three edges, by their indices.
 struct EdgeTriple {
   std::uint32_t edges[3];
 };
 
-/// A triangle of the face.
 struct Piece {
-  std::array<Place, 3> corners;
+  std::array<Corner, 3> corners;
   std::array<bool, 3> is_border{};
+  int halvings = 0;
+  std::vector<EdgeTriple> triples;
 };
 
 /// How two edges cross as seen from the points of a piece.
@@ -66,10 +72,11 @@ class PieceTest {
     const std::vector<Outline>& edges = numbered.edges;
     normals_.reserve(edges.size());
     for (const Outline& e : edges) {
-      normals_.push_back({normal(e, piece.corners[0]), normal(e, piece.corners[1]), normal(e, piece.corners[2])});
+      normals_.push_back(
+          {normal(e, piece.corners[0].place), normal(e, piece.corners[1].place), normal(e, piece.corners[2].place)});
     }
     for (std::size_t k = 0; k < 3; ++k) {
-      const ExactVector &p = piece.corners[k].exact, &q = piece.corners[(k + 1) % 3].exact;
+      const ExactVector &p = piece.corners[k].place.exact, &q = piece.corners[(k + 1) % 3].place.exact;
       middles_[k] = Place(Rational(1, 2) * (p + q));
     }
   }
@@ -104,12 +111,13 @@ class PieceTest {
   bool are_never_in_line(const EdgeTriple& t) const {
     std::array<int, 3> at_corner, between;
     unsigned signs = 0;
-    for (std::size_t k = 0; k < 3; ++k) signs |= bit(at_corner[k] = determinant(t, piece_.corners[k]).sign);
+    for (std::size_t k = 0; k < 3; ++k) signs |= bit(at_corner[k] = determinant(t, piece_.corners[k].place).sign);
     if (signs == 3U) return false;
     for (std::size_t k = 0; k < 3; ++k) signs |= bit(between[k] = middle_sign(t, k));
     if (signs == 3U || signs == 0U) return false;
     // Inside it vanishes nowhere; on sides and at corners where coefficients do.
     for (std::size_t k = 0; k < 3; ++k) {
+      if (at_corner[k] == 0 && !piece_.corners[k].is_border) return false;
       const bool vanishes = at_corner[k] == 0 && between[k] == 0 && at_corner[(k + 1) % 3] == 0;
       if (vanishes && !piece_.is_border[k]) return false;
     }
@@ -138,12 +146,12 @@ class PieceTest {
     unsigned sides = 0;
     bool is_known[3];
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto sign = certain_sign(dot(normals_[edge][k], x.near - piece_.corners[k].near));
+      const auto sign = certain_sign(dot(normals_[edge][k], x.near - piece_.corners[k].place.near));
       is_known[k] = sign.has_value();
       if (sign) sides |= bit(*sign);
     }
     for (std::size_t k = 0; k < 3 && sides != 3U; ++k) {
-      if (!is_known[k]) sides |= bit(exact_side(edges_[edge], piece_.corners[k], x));
+      if (!is_known[k]) sides |= bit(exact_side(edges_[edge], piece_.corners[k].place, x));
     }
     return sides;
   }
@@ -190,7 +198,7 @@ class PieceTest {
 
   /// Sign of the coefficient that belongs to a side.
   int middle_sign(const EdgeTriple& t, std::size_t k) const {
-    const Place &p = piece_.corners[k], &q = piece_.corners[(k + 1) % 3];
+    const Place &p = piece_.corners[k].place, &q = piece_.corners[(k + 1) % 3].place;
     const Interval near = Interval(4) * near_determinant(edges_, t, middles_[k]) - near_determinant(edges_, t, p) -
                           near_determinant(edges_, t, q);
     if (const auto known = certain_sign(near)) return *known;
@@ -208,73 +216,114 @@ class PieceTest {
   std::vector<std::array<NearVector, 3>> normals_;  ///< of each edge's plane through each corner
 };
 
-/// All triples that may close a gap above a piece.
+struct EdgeTripleOrder {
+  bool operator()(const EdgeTriple& a, const EdgeTriple& b) const {
+    return std::ranges::lexicographical_compare(a.edges, b.edges);
+  }
+};
+
+using EdgeTriples = std::set<EdgeTriple, EdgeTripleOrder>;
+
+/// Clears pieces of triples, halving them, until none is left or so much was done that tracing the rest costs less.
 class TripleSearch {
  public:
-  TripleSearch(const NumberedOutlines& outlines, const Piece& piece, bool is_linear)
-      : outlines_(outlines), test_(outlines, piece), is_linear_(is_linear) {}
+  TripleSearch(const NumberedOutlines& outlines, bool is_linear) : outlines_(outlines), is_linear_(is_linear) {}
 
-  std::vector<EdgeTriple> triples() {
-    collect_near();
-    const auto n = static_cast<std::uint32_t>(near_.size());
-    std::vector<std::vector<std::uint32_t>> crossed(n);
-    for (std::uint32_t x = 0; x < n; ++x) {
-      for (std::uint32_t y = x + 1; y < n; ++y) {
-        if (crossing(x, y) != Crossing::never) crossed[x].push_back(y);
+  /// Adds the triples of which a piece was not cleared.
+  void append_triples(Piece piece, EdgeTriples& found) {
+    piece.triples = crossing_triples(piece);
+    std::vector<Piece> stack{std::move(piece)};
+    while (!stack.empty()) {
+      Piece top = std::move(stack.back());
+      stack.pop_back();
+      const bool is_last = ++pieces_ > most_pieces || top.halvings == most_halvings;
+      clear(top);
+      if (is_last) {
+        found.insert(top.triples.begin(), top.triples.end());
+      } else if (!top.triples.empty()) {
+        halve(top, stack);
       }
     }
-    std::vector<EdgeTriple> found;
-    for (std::uint32_t x = 0; x < n; ++x) {
-      if (is_linear_ && !outlines_.edges[near_[x]].is_of_light) break;
-      for (std::size_t first = 0; first < crossed[x].size(); ++first) {
-        for (std::size_t second = first + 1; second < crossed[x].size(); ++second) {
-          const std::uint32_t y = crossed[x][first], z = crossed[x][second];
-          if (std::binary_search(crossed[y].begin(), crossed[y].end(), z) && may_close(x, y, z)) {
-            found.push_back({{near_[x], near_[y], near_[z]}});
-          }
-        }
-      }
-    }
-    return found;
   }
 
  private:
-  void collect_near() {
+  /// All triples that cross pairwise.
+  std::vector<EdgeTriple> crossing_triples(const Piece& piece) const {
+    const PieceTest test(outlines_, piece);
+    std::vector<std::uint32_t> near;
     for (std::uint32_t i = 0; i < outlines_.edges.size(); ++i) {
-      const Hidden hidden = test_.hidden(i);
-      if (hidden == Hidden::none || test_.is_beside_light(i)) continue;
-      near_.push_back(i);
-      hidden_.push_back(hidden);
+      if (test.hidden(i) != Hidden::none && !test.is_beside_light(i)) near.push_back(i);
     }
-    crossings_.resize(near_.size() * near_.size());
+    const auto n = static_cast<std::uint32_t>(near.size());
+    std::vector<std::vector<std::uint32_t>> crossed(outlines_.edges.size());
+    for (std::uint32_t x = 0; x < n; ++x) {
+      for (std::uint32_t y = x + 1; y < n; ++y) {
+        const std::uint32_t i = near[x], j = near[y];
+        if (!belong_together(outlines_.edges[i], outlines_.edges[j]) && test.crossing(i, j) != Crossing::never)
+          crossed[i].push_back(j);
+      }
+    }
+    std::vector<EdgeTriple> triples;
+    for (const std::uint32_t i : near) {
+      if (is_linear_ && !outlines_.edges[i].is_of_light) break;
+      for (const std::uint32_t j : crossed[i]) {
+        for (const std::uint32_t k : crossed[j]) {
+          if (std::binary_search(crossed[i].begin(), crossed[i].end(), k)) triples.push_back({{i, j, k}});
+        }
+      }
+    }
+    return triples;
   }
 
-  /// Of two of the near edges, the first before the second.
-  Crossing crossing(std::uint32_t x, std::uint32_t y) {
-    auto& known = crossings_[x * near_.size() + y];
-    if (!known) {
-      known = belong_together(outlines_.edges[near_[x]], outlines_.edges[near_[y]])
-                  ? Crossing::never
-                  : test_.crossing(near_[x], near_[y]);
-    }
-    return *known;
+  void clear(Piece& piece) {
+    const PieceTest test(outlines_, piece);
+    std::vector<std::optional<Crossing>> crossings(outlines_.edges.size() * outlines_.edges.size());
+    std::vector<std::optional<Hidden>> hidden(outlines_.edges.size());
+    const auto crossing = [&](std::uint32_t i, std::uint32_t j) {
+      auto& known = crossings[i * outlines_.edges.size() + j];
+      if (!known) known = test.crossing(i, j);
+      return *known;
+    };
+    const auto hidden_side = [&](std::uint32_t i) {
+      if (!hidden[i]) hidden[i] = test.hidden(i);
+      return *hidden[i];
+    };
+    std::erase_if(piece.triples, [&](const EdgeTriple& t) {
+      const auto [i, j, k] = t.edges;
+      const Crossing c[] = {crossing(i, j), crossing(j, k), crossing(i, k)};
+      if (std::find(std::begin(c), std::end(c), Crossing::never) != std::end(c)) return true;
+      const Hidden h[] = {hidden_side(i), hidden_side(j), hidden_side(k)};
+      if (std::find(std::begin(h), std::end(h), Hidden::none) != std::end(h)) return true;
+      const int s[] = {int(h[0]) * int(h[1]) * int(c[0]), int(h[1]) * int(h[2]) * int(c[1]),
+                       -int(h[0]) * int(h[2]) * int(c[2])};
+      const bool up = s[0] > 0 || s[1] > 0 || s[2] > 0, down = s[0] < 0 || s[1] < 0 || s[2] < 0;
+      if (up && down) return true;
+      return test.are_never_in_line(t);
+    });
   }
 
-  bool may_close(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
-    const int h[] = {int(hidden_[x]), int(hidden_[y]), int(hidden_[z])};
-    const int s[] = {h[0] * h[1] * int(crossing(x, y)), h[1] * h[2] * int(crossing(y, z)),
-                     -h[0] * h[2] * int(crossing(x, z))};
-    const bool up = s[0] > 0 || s[1] > 0 || s[2] > 0, down = s[0] < 0 || s[1] < 0 || s[2] < 0;
-    if (up && down) return false;
-    return !test_.are_never_in_line({{near_[x], near_[y], near_[z]}});
+  static void halve(const Piece& piece, std::vector<Piece>& pieces) {
+    const auto length = [&](std::size_t k) {
+      const NearVector way = piece.corners[(k + 1) % 3].place.near - piece.corners[k].place.near;
+      return dot(way, way).sup();
+    };
+    std::size_t k = 0;
+    for (std::size_t other = 1; other < 3; ++other) {
+      if (length(other) > length(k)) k = other;
+    }
+    const Corner &p = piece.corners[k], &q = piece.corners[(k + 1) % 3], &r = piece.corners[(k + 2) % 3];
+    const Corner m{Place(Rational(1, 2) * (p.place.exact + q.place.exact)), piece.is_border[k]};
+    const bool pq = piece.is_border[k], qr = piece.is_border[(k + 1) % 3], rp = piece.is_border[(k + 2) % 3];
+    pieces.push_back({{p, m, r}, {pq, false, rp}, piece.halvings + 1, piece.triples});
+    pieces.push_back({{m, q, r}, {pq, qr, false}, piece.halvings + 1, piece.triples});
   }
+
+  static constexpr int most_halvings = 10;
+  static constexpr int most_pieces = 400;
 
   const NumberedOutlines& outlines_;
-  PieceTest test_;
   bool is_linear_;
-  std::vector<std::uint32_t> near_;  ///< edges that may bound what is seen, and the sides of them that are hidden
-  std::vector<Hidden> hidden_;
-  std::vector<std::optional<Crossing>> crossings_;
+  int pieces_ = 0;
 };
 
 /// The ranges of 0 <= t <= 1 on which the product of two functions is not positive, each linear between its values at
@@ -439,46 +488,43 @@ Rational half_width_of(std::span<const FlatTriangle> triangles) {
   return 2 * most;
 }
 
-FlatEnclosure box_around(std::span<const FlatTriangle> triangles) {
-  const FlatPoint& first = triangles.front().corners().front();
-  FlatPoint low = first, high = first;
+std::vector<FlatEnclosure> boxes_around(std::span<const FlatTriangle> triangles) {
+  std::vector<FlatEnclosure> boxes;
   for (const FlatTriangle& t : triangles) {
-    for (const FlatPoint& p : t.corners()) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
+    const FlatPoint &a = t.corners()[0], &b = t.corners()[1], &c = t.corners()[2];
+    const auto span = [](const Rational& p, const Rational& q, const Rational& r) {
+      return Interval(CGAL::to_interval(std::min({p, q, r})).first, CGAL::to_interval(std::max({p, q, r})).second);
+    };
+    boxes.push_back({span(a.x, b.x, c.x), span(a.y, b.y, c.y)});
   }
-  const auto span = [](const Rational& a, const Rational& b) {
-    return Interval(CGAL::to_interval(a).first, CGAL::to_interval(b).second);
-  };
-  return {span(low.x, high.x), span(low.y, high.y)};
+  return boxes;
 }
 
-struct EdgeTripleOrder {
-  bool operator()(const EdgeTriple& a, const EdgeTriple& b) const {
-    return std::ranges::lexicographical_compare(a.edges, b.edges);
+EdgeTriples closing_triples(const NumberedOutlines& outlines, std::span<const FacePiece> pieces, bool is_linear) {
+  EdgeTriples triples;
+  TripleSearch search(outlines, is_linear);
+  for (const FacePiece& piece : pieces) {
+    const auto corner = [&](std::size_t k) { return Corner{Place(piece.corners[k]), true}; };
+    search.append_triples({{corner(0), corner(1), corner(2)}, piece.is_border, 0, {}}, triples);
   }
-};
+  return triples;
+}
 
 }  // namespace
 
-ClosingArcs closing_arcs(const EventScene& scene, std::span<const ShapeId> shapes, std::span<const FacePiece> face,
+ClosingArcs closing_arcs(const EventScene& scene, std::span<const ShapeId> shapes, std::span<const FacePiece> pieces,
                          const ReceiverPlane& plane) {
   const CGAL::Protect_FPU_rounding<true> upward;
   const NumberedOutlines outlines(event::outlines(scene, shapes));
   const bool is_linear = scene.kind == LightKind::linear;
-  std::map<EdgeTriple, std::vector<std::size_t>, EdgeTripleOrder> pieces_of;
+  const EdgeTriples triples = closing_triples(outlines, pieces, is_linear);
   std::vector<FlatTriangle> triangles;
-  for (std::size_t f = 0; f < face.size(); ++f) {
-    triangles.emplace_back(face[f], plane);
-    const Piece piece{{Place(face[f].corners[0]), Place(face[f].corners[1]), Place(face[f].corners[2])},
-                      face[f].is_border};
-    for (const EdgeTriple& t : TripleSearch(outlines, piece, is_linear).triples()) pieces_of[t].push_back(f);
-  }
+  for (const FacePiece& piece : pieces) triangles.emplace_back(piece, plane);
   ClosingArcs found;
+  if (triples.empty()) return found;
   const TripleTracer tracer(outlines.edges, plane, half_width_of(triangles), is_linear);
-  OpenLines open_lines(scene, shapes, plane, box_around(triangles));
-  for (const auto& [triple, pieces] : pieces_of) {
+  OpenLines open_lines(scene, shapes, plane, boxes_around(triangles));
+  for (const EdgeTriple& triple : triples) {
     std::vector<conic::NamedArc> traced;
     std::vector<ArcOfLines> with_lines;
     const auto name = static_cast<std::uint32_t>(found.names.size());
@@ -489,7 +535,8 @@ ClosingArcs closing_arcs(const EventScene& scene, std::span<const ShapeId> shape
       }
     }
     std::erase_if(traced, [&](const conic::NamedArc& arc) {
-      return std::none_of(pieces.begin(), pieces.end(), [&](std::size_t f) { return triangles[f].may_meet(arc.arc); });
+      return std::none_of(triangles.begin(), triangles.end(),
+                          [&](const FlatTriangle& t) { return t.may_meet(arc.arc); });
     });
     if (traced.empty()) continue;
     found.arcs.insert(found.arcs.end(), std::make_move_iterator(traced.begin()), std::make_move_iterator(traced.end()));

@@ -24,7 +24,8 @@ struct ClosingArcs {
   std::vector<std::array<EventElement, 3>> names;  ///< the edges of each: of the light first, then as they are numbered
 };
 
-/// All arcs in a face, which no traced event crosses, on which its points may begin or cease to see some light.
+/// All arcs in pieces of a face, which no traced event crosses, on which its points may begin or cease to see some
+/// light.
 ///
 /// Definition: between points that see some light and points that see none the last visible part of the light shrinks
 ///             to a point q, as it is seen from a point p. A part with a vertex of the light or of a blocker on its
@@ -40,7 +41,7 @@ struct ClosingArcs {
 /// Coplanar:   where two of the edges lie in one plane, the lines in that plane, and those through the point where the
 ///             two meet inside of both, have straight traces, and these are given as far as no wedge has them.
 /// Exactness:  intervals, and exact arithmetic where these do not tell.
-ClosingArcs closing_arcs(const EventScene& scene, std::span<const ShapeId> shapes, std::span<const FacePiece> face,
+ClosingArcs closing_arcs(const EventScene& scene, std::span<const ShapeId> shapes, std::span<const FacePiece> pieces,
                          const ReceiverPlane& plane);
 
 }  // namespace gnomon::event

@@ -42,8 +42,8 @@ struct OpenLines::NearArc {
 };
 
 OpenLines::OpenLines(const EventScene& scene, std::span<const ShapeId> shapes, const ReceiverPlane& plane,
-                     const FlatEnclosure& box)
-    : scene_(scene), shapes_(shapes.begin(), shapes.end()), plane_(plane), box_(box) {
+                     std::vector<FlatEnclosure> boxes)
+    : scene_(scene), shapes_(shapes.begin(), shapes.end()), plane_(plane), boxes_(std::move(boxes)) {
   for (const EventPoint& p : scene.points) {
     const auto [x, y, z, w] = coordinates<Interval>(p);
     points_.push_back(p.kind == EventPoint::Kind::direction ? PointEnclosure{x, y, z}
@@ -80,7 +80,10 @@ OpenLines::Known OpenLines::lines(const ArcOfLines& arc, const NearArc& near, co
   const Interval t = conic::enclosure(range);
   const auto flat = near.curve.points(t);
   if (!flat) return Known::perhaps;
-  if (conic::are_apart(flat->x, box_.x) || conic::are_apart(flat->y, box_.y)) return Known::closed;
+  const auto is_beside = [&](const FlatEnclosure& box) {
+    return conic::are_apart(flat->x, box.x) || conic::are_apart(flat->y, box.y);
+  };
+  if (std::all_of(boxes_.begin(), boxes_.end(), is_beside)) return Known::closed;
   const auto share = near.base_share(t, *flat);
   if (!share) return Known::perhaps;
   const PointEnclosure p = plane_.spatial(FlatEnclosure{flat->x, flat->y});

@@ -22,7 +22,8 @@ struct ArcOfLines {
 
 /// The parts of an arc whose lines of sight may reach the light between the three edges' ends and come through.
 ///
-/// Left out: parts all of whose points lie outside of a box; or whose lines miss the light; or meet one of the edges
+/// Left out: parts all of whose points lie outside of some boxes; or whose lines miss the light; or meet one of the
+/// edges
 ///           not between the point and the light; or pass strictly through one blocker: beside such a line nothing is
 ///           seen of the light, so no gap closes there; or about which the three edges leave a direction open.
 /// Method:   by intervals, halving.
@@ -30,7 +31,7 @@ class OpenLines {
  public:
   /// Requires: the rounding mode is protected while it lives.
   OpenLines(const EventScene& scene, std::span<const ShapeId> shapes, const ReceiverPlane& plane,
-            const FlatEnclosure& box);
+            std::vector<FlatEnclosure> boxes);
 
   std::vector<conic::Range> ranges(const ArcOfLines& arc);
 
@@ -51,7 +52,7 @@ class OpenLines {
   const EventScene& scene_;
   std::vector<ShapeId> shapes_;  ///< those that stopped lines last come first
   const ReceiverPlane& plane_;
-  FlatEnclosure box_;
+  std::vector<FlatEnclosure> boxes_;
   std::vector<PointEnclosure> points_;  ///< of the scene
 };
 

@@ -57,6 +57,20 @@ double area_of(const json& cycles, const json& vertices) {
   return doubled / 2;
 }
 
+TEST_F(ReceiversCommand, TellsArcsThatBoundAnUmbra) {
+  const Outcome run = gnomon("receivers examples/four_umbrae.scene.json --mesh faces,edges --out out --json -");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json floor = json::parse(run.out)["receivers"].at(0);
+  EXPECT_NEAR(floor["areas"]["umbra"]["double"].get<double>(), 3.106195091019361, 1e-12);
+  EXPECT_EQ(floor["areas"]["unresolved_eee"]["double"], 0.0);
+  const json& mesh = floor["mesh"];
+  int arcs = 0, triple_edges = 0;
+  for (const json& edge : mesh["edges"]) arcs += edge.contains("arc") ? 1 : 0;
+  for (const json& event : mesh["events"]) triple_edges += event["kind"] == "triple_edge" && event["edges"].size() == 3;
+  EXPECT_GE(arcs, 2);
+  EXPECT_GE(triple_edges, 2);
+}
+
 TEST_F(ReceiversCommand, TellsTheMeshOnRequest) {
   const Outcome run = gnomon("receivers floor.scene.json --receiver floor --mesh faces,edges,polygons --json -");
   ASSERT_EQ(run.code, 0) << run.err;
