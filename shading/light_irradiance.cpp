@@ -10,6 +10,7 @@
 #include "gnomon/errors.h"
 #include "shading/exact_direction.h"
 #include "shading/lambert.h"
+#include "shading/reflection/linear_reflection.h"
 #include "shading/small_lights.h"
 
 namespace gnomon {
@@ -70,6 +71,12 @@ Irradiance positive(const Irradiance& e) {
   return {std::numeric_limits<double>::denorm_min(), shading::with_underflow(e.error_bound)};
 }
 
+/// A view of which only what is received counts.
+shading::Sight sight_of_received(const Point3& p, const Point3& normal) {
+  const shading::Vector n = shading::of_size_one({normal.x, normal.y, normal.z});
+  return {p, n, n, {ReflectionModel::phong, 0}};
+}
+
 bool receives(Region region) {
   return region == Region::lit || region == Region::penumbra;
 }
@@ -89,7 +96,10 @@ struct Received {
     const std::optional<LinearLightSeen> seen = level.seen_by(receiver);
     if (!seen) return std::nullopt;
     if (!receives(seen->region)) return Irradiance{};
-    return if_positive(linear_irradiance(std::get<LinearLight>(light), *seen, receiver.point, normal));
+    const auto& linear = std::get<LinearLight>(light);
+    if (is_isotropic(linear.emission)) return if_positive(linear_irradiance(linear, *seen, receiver.point, normal));
+    const auto reflected = shading::linear_reflection(linear, *seen, sight_of_received(receiver.point, normal));
+    return reflected ? std::optional(reflected->received) : std::nullopt;
   }
   std::optional<Irradiance> operator()(FastVisibility& level) const {
     const std::optional<LightSeen> seen = level.seen_by(receiver);
@@ -106,7 +116,8 @@ struct Received {
 Irradiance scaled(const Irradiance& e, double strength) {
   if (strength == 0) return {};
   if (e.value == 0 && e.error_bound == 0) return {};
-  const double value = std::fmax(strength * e.value, std::numeric_limits<double>::denorm_min());
+  const double least = e.value > 0 ? std::numeric_limits<double>::denorm_min() : 0;
+  const double value = std::fmax(strength * e.value, least);
   return {value, shading::with_underflow(1.001 * strength * e.error_bound + 2 * unit * value)};
 }
 
@@ -150,7 +161,8 @@ Irradiance LightIrradiance::Work::exact_answer(const ReceiverPoint& receiver, co
     return positive(irradiance_without_size(light_, p, normal));
   }
   if (const auto* linear = std::get_if<LinearLight>(&light_)) {
-    return positive(linear_irradiance(*linear, part.intervals, p, normal));
+    if (is_isotropic(linear->emission)) return positive(linear_irradiance(*linear, part.intervals, p, normal));
+    return shading::linear_reflection(*linear, part.intervals, sight_of_received(p, normal)).received;
   }
   Irradiance sum;
   for (const SeenFacet& seen : part.facets) {

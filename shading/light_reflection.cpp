@@ -76,10 +76,15 @@ class LightReflection::Work {
         obstacles_(std::move(obstacles)),
         fast_(fast_level(light_, obstacles_.content().blockers)) {}
 
+  std::size_t answers = 0, exact_answers = 0;
+
   Reflection answer(const ReceiverPoint& receiver, const Sight& sight) {
+    ++answers;
     if (!is_eye_above(sight) || obstacles_.content().encloses(receiver)) return {};
     const std::optional<Reflection> fast = std::visit(Reflected{light_, receiver, sight}, fast_);
-    return fast ? *fast : exact_answer(receiver, sight);
+    if (fast) return *fast;
+    ++exact_answers;
+    return exact_answer(receiver, sight);
   }
 
  private:
@@ -109,6 +114,14 @@ LightReflection::LightReflection(Light light, PreparedObstacles obstacles)
 LightReflection::LightReflection(LightReflection&&) noexcept = default;
 LightReflection& LightReflection::operator=(LightReflection&&) noexcept = default;
 LightReflection::~LightReflection() = default;
+
+std::size_t LightReflection::answers() const {
+  return work_->answers;
+}
+
+std::size_t LightReflection::exact_answers() const {
+  return work_->exact_answers;
+}
 
 Reflection LightReflection::received(const ReceiverPoint& receiver, const View& view, ReflectionModel model,
                                      int exponent) {

@@ -32,7 +32,7 @@ struct MovedLight {
   std::optional<Light> operator()(const LinearLight& light) const {
     const Point3 end = moved(light.end, light.start, place);
     if (end == place || !is_finite(end)) return std::nullopt;
-    return LinearLight{place, end};
+    return LinearLight{place, end, light.emission};
   }
   std::optional<Light> operator()(const AreaLight& light) const {
     std::vector<Point3> points;

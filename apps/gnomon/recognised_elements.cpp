@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "geometry/scene/receiver_facets.h"
+#include "shading/light_flux.h"
 
 namespace gnomon {
 namespace {
@@ -52,6 +53,16 @@ RecognisedElement recognised(const SceneLight& light) {
   return element;
 }
 
+std::vector<RecognisedElement> recognised_lights(const SpaceScene& scene) {
+  std::vector<RecognisedElement> list;
+  for (const SceneLight& light : scene.lights) {
+    list.push_back(recognised(light));
+    list.back().name = light.name;
+    list.back().flux = light_flux(light.shape, light.strength, *length_unit_named(scene.length_unit));
+  }
+  return list;
+}
+
 RecognisedElement recognised(const SceneBlocker& blocker) {
   return std::visit(Recognise{}, blocker.shape);
 }
@@ -89,6 +100,10 @@ RecognisedElement recognised(ReceiverGroup receiver) {
   return element;
 }
 
+std::vector<RecognisedElement> recognised_lights(const PlaneScene& scene) {
+  return recognised(scene.lights);
+}
+
 /// A receiver of the file may be several facets.
 std::vector<RecognisedElement> recognised(const std::vector<SceneReceiver>& receivers) {
   std::vector<RecognisedElement> list;
@@ -100,7 +115,7 @@ std::vector<RecognisedElement> recognised(const std::vector<SceneReceiver>& rece
 
 RecognisedElements recognised_elements(const Scene& scene) {
   const auto of_lists = [](const auto& some) -> RecognisedElements {
-    return {recognised(some.lights), recognised(some.blockers), recognised(some.receivers)};
+    return {recognised_lights(some), recognised(some.blockers), recognised(some.receivers)};
   };
   return std::visit(of_lists, scene);
 }

@@ -26,6 +26,7 @@ struct RecognisedElement {
   std::optional<bool> closed;           ///< meshes only
   std::optional<bool> two_sided;        ///< polygon lights only
   std::optional<Strength> strength;     ///< lights only
+  std::optional<double> flux;           ///< [W], lights of space but directions
 };
 
 struct RecognisedElements {

@@ -38,9 +38,14 @@ struct LightKeys {
     return {{"shape", "direction"}, {"direction", numbers(light.direction)}, {"irradiance", strength}};
   }
   Json operator()(const LinearLight& light) const {
-    return {{"shape", "segment"},
-            {"vertices", Json::array({numbers(light.start), numbers(light.end)})},
-            {"intensity_per_length", strength}};
+    Json json = {{"shape", "segment"},
+                 {"vertices", Json::array({numbers(light.start), numbers(light.end)})},
+                 {"intensity_per_length", strength}};
+    const Emission& emission = light.emission;
+    if (emission.exponent > 0) json["emission"] = {{"profile", "cosine"}, {"exponent", emission.exponent}};
+    if (emission.flaps) json["flaps"] = {{"angle", *emission.flaps}};
+    if (emission.shade) json["shade"] = {{"from", numbers(emission.shade->from)}, {"to", numbers(emission.shade->to)}};
+    return json;
   }
   Json operator()(const AreaLight& light) const {
     return {{"shape", "polygon"},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -27,6 +28,33 @@ std::vector<std::uint32_t> obj_facet(const MeshLines& lines, std::size_t vertice
     if (word.data() != lines.words()[0].data()) facet.push_back(obj_corner(lines, word, vertices));
   }
   return facet;
+}
+
+/// The number behind a corner's second slash, counted like its vertex; one that no normal has where there is none.
+std::uint32_t obj_normal(std::string_view word, std::size_t normals) {
+  const std::size_t first = word.find('/'), second = first == word.npos ? first : word.find('/', first + 1);
+  const auto number = second == word.npos ? std::nullopt : integer_of(word.substr(second + 1));
+  const auto count = static_cast<std::int64_t>(normals);
+  if (!number || *number == 0 || *number < -count || *number > UINT32_MAX) return UINT32_MAX;
+  return static_cast<std::uint32_t>(*number > 0 ? *number - 1 : count + *number);
+}
+
+std::vector<std::uint32_t> obj_normals(const MeshLines& lines, std::size_t normals) {
+  std::vector<std::uint32_t> corners;
+  for (std::size_t k = 1; k < lines.words().size(); ++k) corners.push_back(obj_normal(lines.words()[k], normals));
+  return corners;
+}
+
+/// The words after the first as a vector, zero if they are none: nobody may ask for it.
+Point3 obj_vector(const MeshLines& lines) {
+  std::array<double, 3> v{};
+  if (lines.words().size() < 4) return {};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::string_view word = lines.words()[k + 1];
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), v[k]);
+    if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(v[k])) return {};
+  }
+  return {v[0], v[1], v[2]};
 }
 
 /// The counts in the head of an OFF file. Every vertex and facet takes a line, so larger counts than bytes are wrong.
@@ -159,11 +187,11 @@ class StlLines {
   bool normals_are_finite_ = true;
 };
 
-/// Lines that hold nothing of what is read: textures, normals, lines and points, groups, materials, how to draw.
+/// Lines that hold nothing of what is read: textures, lines and points, groups, materials, how to draw.
 bool is_passed_over(std::string_view keyword) {
-  constexpr std::array<std::string_view, 19> known = {
-      "vt",     "vn",    "vp",       "l",        "p",   "o",     "g",     "s",          "mg",       "maplib",
-      "usemap", "bevel", "c_interp", "d_interp", "lod", "ctech", "stech", "shadow_obj", "trace_obj"};
+  constexpr std::array<std::string_view, 18> known = {"vt",       "vp",  "l",      "p",      "o",          "g",
+                                                      "s",        "mg",  "maplib", "usemap", "bevel",      "c_interp",
+                                                      "d_interp", "lod", "ctech",  "stech",  "shadow_obj", "trace_obj"};
   return std::ranges::find(known, keyword) != known.end();
 }
 
@@ -189,8 +217,11 @@ class ObjLines {
       soup_.vertices.push_back(lines_.point(1));
     } else if (keyword == "f") {
       soup_.facets.push_back(obj_facet(lines_, soup_.vertices.size()));
+      soup_.corner_normals.push_back(obj_normals(lines_, soup_.normals.size()));
       soup_.lines.push_back(lines_.line());
       add_material();
+    } else if (keyword == "vn") {
+      soup_.normals.push_back(obj_vector(lines_));
     } else if (keyword == "usemtl") {
       material_ = lines_.words_from(1);
     } else if (keyword == "mtllib") {

@@ -19,6 +19,9 @@ struct PolygonSoup {
   std::vector<std::string> doubts;                 ///< what was passed over, in words that follow the file's name
   std::vector<std::string> material_files;         ///< OBJ: as written
   std::vector<std::string> materials;              ///< OBJ: those of facets
+  std::vector<Point3> normals;                     ///< OBJ: as written; zero where that is no vector
+  /// OBJ: of every corner of every facet, the number of its normal, or one that no normal has.
+  std::vector<std::vector<std::uint32_t>> corner_normals;
 };
 
 /// Where a facet stands: "line 7, facet 0", or "facet 0" in files without lines.
@@ -33,8 +36,8 @@ struct MeshSource {
   [[noreturn]] void refuse(std::string_view place, std::string_view found, std::string_view expected) const;
 };
 
-/// The readers of single formats. Vertices are finite, vertex numbers within range. Normals, colours, textures and
-/// elements of other kinds are passed over; so are lines whose first word is not known, with a doubt.
+/// The readers of single formats. Vertices are finite, vertex numbers within range. Normals but those of OBJ, colours,
+/// textures and elements of other kinds are passed over; so are lines whose first word is not known, with a doubt.
 ///
 /// Throws: SceneError.
 PolygonSoup obj_soup(std::string_view text, const MeshSource& source);

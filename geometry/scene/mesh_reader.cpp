@@ -111,6 +111,42 @@ void add_doubts(const std::string& title, std::vector<std::string> found, std::v
   }
 }
 
+/// The file's normals at the corners of facets, by their vertices.
+///
+/// Throws: SceneError where a corner has none.
+std::vector<std::vector<Point3>> file_normals(const PolygonSoup& soup, const CheckedFacets& checked,
+                                              const JsonNode& normals, const std::string& file) {
+  std::vector<std::vector<Point3>> result;
+  for (std::size_t f = 0; f < checked.facets.size(); ++f) {
+    const std::size_t in_file = checked.numbers[f];
+    std::vector<Point3> corners;
+    for (const std::uint32_t vertex : checked.facets[f]) {
+      const auto& all = soup.facets[in_file];
+      const auto at = static_cast<std::size_t>(std::ranges::find(all, vertex) - all.begin());
+      const bool has_normals = in_file < soup.corner_normals.size() && at < soup.corner_normals[in_file].size();
+      const std::size_t n = has_normals ? soup.corner_normals[in_file][at] : soup.normals.size();
+      if (n >= soup.normals.size()) {
+        normals.refuse(
+            "\"file\", but in " + word_text(file) + " a corner without a normal: " + facet_place(soup, in_file),
+            "an OBJ file with a normal at every corner (f v//vn), or other normals");
+      }
+      corners.push_back(soup.normals[n]);
+    }
+    result.push_back(std::move(corners));
+  }
+  return result;
+}
+
+/// Zero normals leave their facets flat.
+std::string zero_normals_doubt(const std::vector<std::vector<Point3>>& normals) {
+  const auto count = std::ranges::count_if(normals, [](const std::vector<Point3>& corners) {
+    return std::ranges::find(corners, Point3{}) != corners.end();
+  });
+  if (count == 0) return {};
+  return "normals of the file are zero or no vectors at corners of " + std::to_string(count) +
+         (count == 1 ? " facet, which is shaded flat" : " facets, which are shaded flat");
+}
+
 }  // namespace
 
 Mesh read_mesh(const SceneElement& element, const std::filesystem::path& folder, SpaceScene& scene, MeshUse use) {
@@ -127,6 +163,11 @@ Mesh read_mesh(const SceneElement& element, const std::filesystem::path& folder,
                            ": the mesh is not closed, or its facets are not all wound the same way; they count as "
                            "single blockers, not as the surface of a solid");
   }
+  std::vector<std::vector<Point3>> corner_normals;
+  if (const auto key = element.node.optional("normals"); key && key->description() == "the string \"file\"") {
+    corner_normals = file_normals(soup, checked, *key, source.file);
+    add_doubts(element.title, {zero_normals_doubt(corner_normals)}, scene.doubts);
+  }
   if (checked.facets.size() == soup.facets.size()) checked.numbers.clear();
   std::optional<double> dents;
   if (closed && use == MeshUse::blocker) dents = deviation_from_convex(soup.vertices, checked.facets);
@@ -136,7 +177,8 @@ Mesh read_mesh(const SceneElement& element, const std::filesystem::path& folder,
                            ", within the limit of 1e-9 of its diameter; its volumes are those of the hull of its "
                            "vertices");
   }
-  return {source.file, std::move(soup.vertices), std::move(checked.facets), closed, std::move(checked.numbers), dents};
+  return {source.file, std::move(soup.vertices), std::move(checked.facets), closed, std::move(checked.numbers),
+          dents,       std::move(corner_normals)};
 }
 
 }  // namespace gnomon

@@ -18,6 +18,7 @@ using Loop = std::vector<std::uint32_t>;
 struct Piece {
   std::string suffix;
   std::vector<Point3> points;
+  std::vector<Point3> normals = {};  ///< of a mesh file, one a point; none
 };
 
 std::vector<Point3> points_of_loop(std::span<const Point3> points, const Loop& loop) {
@@ -27,16 +28,32 @@ std::vector<Point3> points_of_loop(std::span<const Point3> points, const Loop& l
   return result;
 }
 
+/// The file's normals at a loop of a facet; none if there are none, or one of them is zero.
+std::vector<Point3> normals_of_loop(const Mesh& mesh, std::size_t facet, const Loop& loop) {
+  if (mesh.corner_normals.empty()) return {};
+  const std::vector<std::uint32_t>& ring = mesh.facets[facet];
+  std::vector<Point3> normals;
+  for (const std::uint32_t i : loop) {
+    const Point3& n = mesh.corner_normals[facet][std::size_t(std::ranges::find(ring, i) - ring.begin())];
+    if (n == Point3{}) return {};
+    normals.push_back(n);
+  }
+  return normals;
+}
+
 /// Adds a polygon; one that is not exactly flat as triangles.
-void add_convex(std::vector<Point3> points, const std::string& suffix, std::vector<Piece>& pieces) {
+void add_convex(std::vector<Point3> points, const std::string& suffix, std::vector<Piece>& pieces,
+                std::vector<Point3> normals = {}) {
   if (are_coplanar(points) && !ConvexPolygon::defect(points)) {
-    pieces.push_back({suffix, std::move(points)});
+    pieces.push_back({suffix, std::move(points), std::move(normals)});
     return;
   }
   std::size_t count = 0;
   for (std::size_t k = 2; k < points.size(); ++k) {
     const std::vector<Point3> triangle = {points[0], points[k - 1], points[k]};
-    if (!ConvexPolygon::defect(triangle)) pieces.push_back({suffix + '#' + std::to_string(count++), triangle});
+    if (ConvexPolygon::defect(triangle)) continue;
+    pieces.push_back({suffix + '#' + std::to_string(count++), triangle});
+    if (!normals.empty()) pieces.back().normals = {normals[0], normals[k - 1], normals[k]};
   }
 }
 
@@ -66,7 +83,7 @@ struct PiecesOf {
       const std::vector<Ring> rings = convex_pieces(mesh.vertices, mesh.facets[f]);
       for (std::size_t k = 0; k < rings.size(); ++k) {
         const std::string suffix = rings.size() == 1 ? facet : facet + '#' + std::to_string(k);
-        add_convex(points_of_loop(mesh.vertices, rings[k]), suffix, pieces);
+        add_convex(points_of_loop(mesh.vertices, rings[k]), suffix, pieces, normals_of_loop(mesh, f, rings[k]));
       }
     }
     return pieces;
@@ -106,6 +123,7 @@ std::vector<SceneReceiver> receiver_facets(const std::string& name, const Blocke
   const std::string front = sides == ReceiverSides::both ? name + "/front" : name;
   for (const Piece& piece : pieces) {
     facets.push_back({front + piece.suffix, ConvexPolygon::from_points(piece.points), front, name});
+    facets.back().file_normals = piece.normals;
   }
   if (sides == ReceiverSides::front) return facets;
   const std::string back = name + "/back";

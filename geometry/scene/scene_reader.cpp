@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "geometry/scene/camera_reader.h"
 #include "geometry/scene/file_text.h"
 #include "geometry/scene/json_node.h"
 #include "geometry/scene/json_text.h"
@@ -87,12 +88,13 @@ PlaneScene plane_scene(const JsonNode& document) {
 }
 
 SpaceScene space_scene(const JsonNode& document, const std::filesystem::path& folder) {
-  document.allow_keys({"$schema", "gnomon", "dimension", "length_unit", "up", "ambient_radiance", "materials", "lights",
-                       "blockers", "receivers"},
+  document.allow_keys({"$schema", "gnomon", "dimension", "length_unit", "up", "ambient_radiance", "materials", "camera",
+                       "lights", "blockers", "receivers"},
                       "a scene");
   SpaceScene scene;
   scene.up = up_axis(document);
   read_materials(document, scene);
+  scene.camera = read_camera(document, scene.up);
   scene.length_unit = length_unit(document);
   const SceneLists lists(document);
   read_spatial_lights(lists.lights, scene);

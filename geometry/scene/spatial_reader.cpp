@@ -3,6 +3,8 @@
 #include <utility>
 
 #include "geometry/bodies/polygon_checks.h"
+#include "geometry/scene/camera_reader.h"
+#include "geometry/scene/emission_reader.h"
 #include "geometry/scene/mesh_reader.h"
 #include "geometry/scene/polygon_reader.h"
 #include "geometry/scene/polygon_refusal.h"
@@ -43,15 +45,16 @@ void read_area_light(const SceneElement& element, SpaceScene& scene) {
 }
 
 SceneLight read_linear_light(const SceneElement& element) {
-  element.node.allow_keys({"name", "shape", "vertices", "intensity_per_length", "color"}, "a segment light");
+  element.node.allow_keys({"name", "shape", "vertices", "intensity_per_length", "color", "emission", "flaps", "shade"},
+                          "a segment light");
   const VertexNodes nodes = vertex_nodes(element);
   const std::vector<Point3> points = points3(nodes);
   if (points.size() != 2) nodes.list.refuse_value("an array of 2 points");
   if (points[0] == points[1]) {
     nodes.items[1].refuse("the point " + point_text(points[1]) + ", which repeats vertex 0", "a segment with a length");
   }
-  return {element.name, LinearLight{points[0], points[1]}, strength(element, "intensity_per_length"),
-          light_colour(element)};
+  return {element.name, LinearLight{points[0], points[1], read_emission(element, points[0], points[1])},
+          strength(element, "intensity_per_length"), light_colour(element)};
 }
 
 SceneLight read_point_light(const SceneElement& element) {
@@ -86,7 +89,7 @@ void allow_shape_keys(const SceneElement& element, std::initializer_list<std::st
 BlockerShape read_shape(const SceneElement& element, MeshUse use, const std::filesystem::path& folder,
                         SpaceScene& scene) {
   if (element.shape == "mesh") {
-    allow_shape_keys(element, {"file"}, use);
+    allow_shape_keys(element, {"file", "normals", "crease"}, use);
     return read_mesh(element, folder, scene, use);
   }
   if (element.shape == "polytope") {
@@ -123,8 +126,8 @@ void read_spatial_lights(const std::vector<SceneElement>& elements, SpaceScene& 
 void read_spatial_blockers(const std::vector<SceneElement>& elements, const std::filesystem::path& folder,
                            SpaceScene& scene) {
   for (const SceneElement& element : elements) {
-    scene.blockers.push_back(
-        {element.name, read_shape(element, MeshUse::blocker, folder, scene), material_name(element, scene)});
+    scene.blockers.push_back({element.name, read_shape(element, MeshUse::blocker, folder, scene),
+                              material_name(element, scene), read_smoothness(element)});
   }
 }
 
@@ -136,6 +139,7 @@ void read_spatial_receivers(const std::vector<SceneElement>& elements, const std
     for (SceneReceiver& facet : receiver_facets(element.name, shape, sides)) {
       facet.form = element.shape;
       facet.material = material_name(element, scene);
+      facet.smoothness = read_smoothness(element);
       scene.receivers.push_back(std::move(facet));
     }
   }

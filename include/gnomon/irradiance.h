@@ -58,12 +58,10 @@ class IrradianceSummary {
 /// The irradiance that one light gives to receivers behind obstacles.
 ///
 /// Definition: what is visible of the light before the receiver (exact_received), above its horizon: lambert_irradiance
-/// for
-///             area lights, the integral of cosine over squared distance for linear and point lights, the cosine for
-///             directional ones; times the light's strength.
+///             for area lights, the integral of cosine over squared distance, times what a linear light emits that way,
+///             for linear and point lights, the cosine for directional ones; times the light's strength.
 /// Degenerate: infinite at a visible point of a point or linear light. Positive exactly where exact_received says lit
-/// or
-///             penumbra, if the strength is.
+///             or penumbra, if the strength is and the light emits that way.
 /// Exactness:  with an error bound. What is visible is exact; where the fast level does not decide, or has no bound
 ///             below 1e-6 of the strength, the exact level makes the polygons.
 /// Cost:       memory is kept for the next question, so one object per thread.

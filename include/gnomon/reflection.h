@@ -15,6 +15,7 @@
 ///     }
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <span>
 
@@ -96,14 +97,13 @@ double exponent_of_highlight(double angle, double threshold);
 /// What one light gives to surfaces behind obstacles.
 ///
 /// Definition: the integrals of Reflection over what is visible of the light above the surface's horizon. dE_p is dω
-/// for
-///             an area light of radiance 1, dl/r² for a linear light of intensity 1 per length in every direction, 1/r²
-///             for a point light, 1 for a direction.
+///             for an area light of radiance 1, dl/r² for a linear light of intensity 1 per length, times what its
+///             emission is that way, 1/r² for a point light, 1 for a direction.
 /// Degenerate: zero, with bound 0, where the eye is not above the surface. Infinite at a visible point of a point or
 ///             linear light. What is visible is the limit from the front (exact_received).
 /// Exactness:  with error bounds. What is visible is exact. Where doubles do not decide on which side of the horizon or
-///             of R's plane an end lies, or have no bound below 1e-9 of the integral's peak, rational ends and
-///             intervals of rising precision answer.
+///             of R's plane an end lies, or have no bound below 1e-9 of the integral's peak, emission not counted,
+///             rational ends and intervals of rising precision answer.
 /// Units:      those of Irradiance for strength 1.
 /// Cost:       memory is kept for the next question, so one object per thread.
 /// After:      [PA90] §3-4, [P93] §3.2-3.3, [Arvo95] §4; Blinn's lobe of area lights as an integral along the boundary.
@@ -121,6 +121,10 @@ class LightReflection {
   /// The same of a receiver's point whose front is given otherwise, as a facet's plane; the view's normal is then that
   /// of the facet up to rounding.
   Reflection received(const ReceiverPoint& receiver, const View& view, ReflectionModel model, int exponent);
+
+  /// How many questions were asked, and how many of them went to the exact level.
+  std::size_t answers() const;
+  std::size_t exact_answers() const;
 
  private:
   class Work;

@@ -68,14 +68,27 @@ struct Mesh {
   std::vector<std::uint32_t> facet_numbers = {};
   /// Closed and, but for dents no deeper than this, the surface of the hull of its vertices: see deviation_from_convex.
   std::optional<double> dents = {};
+  /// Of every corner of every facet, the file's normal, if it was asked for and the file has them all.
+  std::vector<std::vector<Point3>> corner_normals = {};
 };
 
 using BlockerShape = std::variant<ConvexPolygon, Polytope, ConcavePolygon, Mesh>;
+
+/// Where the normals at a mesh's vertices come from that pictures are shaded with: the facets' own, the mesh file's, or
+/// means of the facets' that meet there, weighted by their angles, by their areas, or not at all.
+enum class VertexNormals { flat, file, angle, area, equal };
+
+/// How pictures take a surface for a smooth one.
+struct Smoothness {
+  VertexNormals normals = VertexNormals::flat;
+  double crease = 180;  ///< degrees: facets whose normals differ by more are not averaged
+};
 
 struct SceneBlocker {
   std::string name;
   BlockerShape shape;
   std::string material = {};  ///< the name of one of the scene's; empty if the file names none
+  Smoothness smoothness = {};
 };
 
 /// A flat convex piece of a receiver of the file; it receives from its front. See receiver_facets.
@@ -86,6 +99,8 @@ struct SceneReceiver {
   std::string element = name;    ///< the receiver of the file: `vase`
   std::string form = "polygon";  ///< its shape there, in the file's word: polygon, polytope, concave_polygon, mesh
   std::string material = {};     ///< as of a blocker
+  Smoothness smoothness = {};
+  std::vector<Point3> file_normals = {};  ///< of the corners, as the mesh file has them; none if it has none
 
   /// True if the piece, its side or the receiver of the file is called so.
   bool is_called(const std::string& asked) const { return asked == name || asked == side || asked == element; }
@@ -107,6 +122,16 @@ struct PlanarBlocker {
 /// The axis that points up in pictures; nothing else asks for it.
 enum class UpAxis { z, y };
 
+/// Who looks at the scene in `gnomon image`, through a pinhole.
+struct SceneCamera {
+  Point3 eye;
+  Point3 look_at;
+  Point3 up{0, 0, 1};
+  double fov = 40;  ///< the angle from the picture's lower to its upper border, in degrees
+  std::uint32_t width = 640;
+  std::uint32_t height = 480;
+};
+
 /// What is told of every checked scene file.
 struct SceneFacts {
   std::string source;                    ///< the file as the user named it, or "default" for the embedded scene
@@ -122,6 +147,7 @@ struct SpaceScene : SceneFacts {
   UpAxis up = UpAxis::z;
   std::vector<SceneMaterial> materials;
   Rgb ambient_radiance = {0, 0, 0};  ///< that comes from everywhere [W/(m² sr)]
+  std::optional<SceneCamera> camera = {};
 };
 
 /// A checked scene file of "dimension" 2.

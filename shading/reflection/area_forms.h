@@ -175,10 +175,11 @@ class HalfwayBound {
 };
 
 /// Of a lobe about N . H: reduced exactly to an integral along the boundary, on which H runs with the light. No cut but
-/// the horizon's. `peak` is about the most that the integral may be.
+/// the horizon's. `peak` is about the most that the integral may be. What is next to nothing needs no digits of its
+/// own: pieces, however short, would not have them.
 template <class Number>
 Number halfway_lobe(const SeenBoundary<Number>& seen, const Directions<Number>& view, const Lobe& lobe, double peak) {
-  const GaussEffort effort{1e-12 * std::fmax(peak, 1e-200), 400};
+  const GaussEffort effort{1e-12 * std::fmax(peak, 1e-20), 400};
   const Vector3<Number> aside = cross(view.normal, view.eye);
   Number sum = 0.0;
   for (const Arc<Number>& arc : seen.above_horizon) {

@@ -15,13 +15,19 @@ double solid_angle_about(const std::vector<Arc<Number>>& arcs) {
   return length(sum);
 }
 
+double lobe_peak_of(double solid_angle, const Lobe& lobe) {
+  return std::fmin(solid_angle, 2 * std::numbers::pi / (lobe.exponent + 1.0));
+}
+
+/// `whole` is the solid angle of all that is seen: slivers beside the rest need no digits of their own.
 template <class Number>
-Integrals<Number> integrals(const SeenBoundary<Number>& seen, const Directions<Number>& view, const Lobe& lobe) {
+Integrals<Number> integrals(const SeenBoundary<Number>& seen, const Directions<Number>& view, const Lobe& lobe,
+                            double whole) {
   Integrals<Number> sums;
   sums.received = area_diffuse(seen, view.normal);
   sums.received_peak = solid_angle_about(seen.above_horizon);
-  sums.lobe_peak = std::fmin(sums.received_peak, 2 * std::numbers::pi / (lobe.exponent + 1.0));
-  sums.lobe = area_lobe(seen, view, lobe, sums.lobe_peak);
+  sums.lobe_peak = lobe_peak_of(sums.received_peak, lobe);
+  sums.lobe = area_lobe(seen, view, lobe, lobe_peak_of(whole, lobe));
   return sums;
 }
 
@@ -91,12 +97,16 @@ ExactViews exact_views(std::span<const SeenFacet> facets, bool two_sided, const 
 template <class Number>
 Integrals<Number> integrals(const ExactViews& views, const Sight& sight) {
   const Directions<Number> view = directions<Number>(sight.normal, sight.to_eye);
+  std::vector<SeenBoundary<Number>> boundaries(views.above_horizon.size());
+  double whole = 0;
+  for (std::size_t k = 0; k < boundaries.size(); ++k) {
+    add_arcs(boundaries[k].above_horizon, views.above_horizon[k]);
+    add_arcs(boundaries[k].before_mirror, views.before_mirror[k]);
+    whole += solid_angle_about(boundaries[k].above_horizon);
+  }
   Integrals<Number> sums;
-  for (std::size_t k = 0; k < views.above_horizon.size(); ++k) {
-    SeenBoundary<Number> seen;
-    add_arcs(seen.above_horizon, views.above_horizon[k]);
-    add_arcs(seen.before_mirror, views.before_mirror[k]);
-    const Integrals<Number> part = integrals(seen, view, sight.lobe);
+  for (const SeenBoundary<Number>& seen : boundaries) {
+    const Integrals<Number> part = integrals(seen, view, sight.lobe, whole);
     sums.received = sums.received + part.received;
     sums.lobe = sums.lobe + part.lobe;
     sums.received_peak += part.received_peak;
@@ -111,7 +121,7 @@ std::optional<Reflection> area_reflection(const LightSeen& seen, const Sight& si
   const Directions<Bounded> view = directions<Bounded>(sight.normal, sight.to_eye);
   const std::optional<SeenBoundary<Bounded>> boundary = cut_boundary(seen, view);
   if (!boundary) return std::nullopt;
-  const Integrals<Bounded> sums = integrals(*boundary, view, sight.lobe);
+  const Integrals<Bounded> sums = integrals(*boundary, view, sight.lobe, solid_angle_about(boundary->above_horizon));
   if (!is_narrow(sums)) return std::nullopt;
   return reflection(sums, 0);
 }

@@ -2,21 +2,57 @@
 
 #include <algorithm>
 
+#include "shading/reflection/emission.h"
 #include "shading/reflection/linear_forms.h"
 
 namespace gnomon::shading {
 namespace {
 
+/// How the light shines, in numbers of one level.
 template <class Number>
-void add_received(Integrals<Number>& sums, const StretchArc<Number>& seen, const Directions<Number>& view) {
-  sums.received = sums.received + linear_diffuse(seen, view.normal);
-  sums.received_peak += middle(seen.arc.angle) / middle(seen.distance);
+struct Shining {
+  int exponent = 0;
+  std::optional<Number> flaps;  ///< their tangent
+
+  explicit Shining(const Emission& emission) : exponent(emission.exponent) {
+    if (emission.flaps) flaps = tangent_of<Number>(*emission.flaps);
+  }
+};
+
+/// Adds to a sum what `part(seen, shine)` makes of what flaps leave of a stretch.
+template <class Number, class Part>
+void add_between_flaps(Number& sum, const Stretch<Number>& stretch, const Shining<Number>& shining, const Part& part) {
+  BetweenFlaps<Number> kept{BetweenFlaps<Number>::Left::part, stretch, 0};
+  if (shining.flaps) kept = between_flaps(stretch, *shining.flaps);
+  if (kept.left == BetweenFlaps<Number>::Left::crumb) sum = widened(sum, kept.crumb);
+  if (kept.left != BetweenFlaps<Number>::Left::part) return;
+  const StretchArc<Number> seen(kept.stretch);
+  sum = sum + part(seen, Shine<Number>(shining.exponent, kept.stretch, seen.arc));
+}
+
+/// Returns the distance of the light's line.
+template <class Number>
+double add_received(Integrals<Number>& sums, const Stretch<Number>& stretch, const Directions<Number>& view,
+                    const Shining<Number>& shining) {
+  const auto diffuse = [&](const StretchArc<Number>& seen, const Shine<Number>& shine) {
+    return linear_diffuse(seen, view.normal, shine);
+  };
+  const StretchArc<Number> all(stretch);
+  if (shining.flaps) {
+    add_between_flaps(sums.received, stretch, shining, diffuse);
+  } else {
+    sums.received = sums.received + diffuse(all, Shine<Number>(shining.exponent, stretch, all.arc));
+  }
+  sums.received_peak += middle(all.arc.angle) / middle(all.distance);
+  return middle(all.distance);
 }
 
 template <class Number>
-void add_lobe(Integrals<Number>& sums, const StretchArc<Number>& seen, const Directions<Number>& view,
-              const Lobe& lobe) {
-  sums.lobe = sums.lobe + linear_lobe(seen, view, lobe);
+void add_lobe(Integrals<Number>& sums, const Stretch<Number>& stretch, const Directions<Number>& view, const Lobe& lobe,
+              const Shining<Number>& shining) {
+  add_between_flaps(sums.lobe, stretch, shining, [&](const StretchArc<Number>& seen, const Shine<Number>& shine) {
+    return linear_lobe(seen, view, lobe, shine);
+  });
 }
 
 template <class Number>
@@ -35,21 +71,16 @@ int size_of(const Point3& a, const Point3& b) {
 }
 
 /// Adds a stretch of the fast level; false if that does not decide.
-bool add_stretch(Integrals<Bounded>& sums, Stretch<Bounded> stretch, const Directions<Bounded>& view,
-                 const Lobe& lobe) {
+bool add_stretch(Integrals<Bounded>& sums, Stretch<Bounded> stretch, const Directions<Bounded>& view, const Lobe& lobe,
+                 const Shining<Bounded>& shining) {
   const Cut horizon = cut_before(stretch, view.normal);
   if (horizon == Cut::uncertain) return false;
   if (horizon == Cut::nothing_left) return true;
-  const StretchArc<Bounded> seen(stretch);
-  add_received(sums, seen, view);
-  if (lobe.is_about_halfway()) {
-    add_lobe(sums, seen, view, lobe);
-  } else {
-    const Cut mirror = cut_before(stretch, view.mirror);
-    if (mirror == Cut::uncertain) return false;
-    if (mirror == Cut::done) add_lobe(sums, StretchArc<Bounded>(stretch), view, lobe);
-  }
-  set_lobe_peak(sums, lobe, middle(seen.distance));
+  const double distance = add_received(sums, stretch, view, shining);
+  const Cut mirror = lobe.is_about_halfway() ? Cut::done : cut_before(stretch, view.mirror);
+  if (mirror == Cut::uncertain) return false;
+  if (mirror == Cut::done) add_lobe(sums, stretch, view, lobe, shining);
+  set_lobe_peak(sums, lobe, distance);
   return true;
 }
 
@@ -74,17 +105,19 @@ bool is_null(const Vector3<Rational>& v) {
   return v.x == 0 && v.y == 0 && v.z == 0;
 }
 
-/// The binary exponent of the nearest end, which integrals fall with.
+/// The binary exponent of the nearest end, which integrals fall with; but the farthest must not overflow.
 int nearest_exponent(const std::vector<Stretch<Rational>>& parts) {
-  int size = std::numeric_limits<int>::max();
+  int nearest = std::numeric_limits<int>::max(), farthest = std::numeric_limits<int>::min();
   for (const Stretch<Rational>& part : parts) {
     for (const Vector3<Rational>& end : {part.from, plus(part.from, part.along)}) {
       const ExactVector v = exact_vector(end);
-      if (!is_zero(v))
-        size = std::min(size, exponent(Vector{nearest_double(v.x), nearest_double(v.y), nearest_double(v.z)}));
+      if (is_zero(v)) continue;
+      const int size = exponent(Vector{nearest_double(v.x), nearest_double(v.y), nearest_double(v.z)});
+      nearest = std::min(nearest, size);
+      farthest = std::max(farthest, size);
     }
   }
-  return size == std::numeric_limits<int>::max() ? 0 : size;
+  return farthest == std::numeric_limits<int>::min() ? 0 : std::max(nearest, farthest - 900);
 }
 
 Rational two_to(int exponent) {
@@ -124,16 +157,16 @@ Stretch<Number> in_numbers(const Stretch<Rational>& part) {
 }
 
 template <class Number>
-Integrals<Number> across(const ExactParts& parts, const Directions<Number>& view, const Lobe& lobe) {
+Integrals<Number> across(const ExactParts& parts, const Directions<Number>& view, const Lobe& lobe,
+                         const Emission& emission) {
+  const Shining<Number> shining(emission);
   Integrals<Number> sums;
   double distance = 1;
   for (const Stretch<Rational>& part : parts.above_horizon) {
-    const StretchArc<Number> seen(in_numbers<Number>(part));
-    add_received(sums, seen, view);
-    distance = middle(seen.distance);
+    distance = add_received(sums, in_numbers<Number>(part), view, shining);
   }
   for (const Stretch<Rational>& part : parts.before_mirror) {
-    add_lobe(sums, StretchArc<Number>(in_numbers<Number>(part)), view, lobe);
+    add_lobe(sums, in_numbers<Number>(part), view, lobe, shining);
   }
   set_lobe_peak(sums, lobe, distance);
   return sums;
@@ -160,15 +193,17 @@ Integrals<Number> end_on(const ExactParts& parts, const Directions<Number>& view
 }  // namespace
 
 std::optional<Reflection> linear_reflection(const LinearLight& light, const LinearLightSeen& seen, const Sight& sight) {
+  if (!is_shone_at(light, sight.point)) return Reflection{};
   const int size = std::max(size_of(light.start, sight.point), size_of(light.end, light.start));
   const Vector3<Bounded> start = rounded_difference(light.start, sight.point, size);
   const Vector3<Bounded> along = rounded_difference(light.end, light.start, size);
   const Directions<Bounded> view = directions<Bounded>(sight.normal, sight.to_eye);
+  const Shining<Bounded> shining(light.emission);
   Integrals<Bounded> sums;
   for (const VisibleStretch& stretch : seen.visible) {
     const Bounded from(stretch.from.share, stretch.from.error), to(stretch.to.share, stretch.to.error);
     const Stretch<Bounded> part{plus(start, times(from, along)), times(to - from, along)};
-    if (!add_stretch(sums, part, view, sight.lobe)) return std::nullopt;
+    if (!add_stretch(sums, part, view, sight.lobe, shining)) return std::nullopt;
   }
   if (!is_narrow(sums)) return std::nullopt;
   return reflection(sums, size);
@@ -176,11 +211,14 @@ std::optional<Reflection> linear_reflection(const LinearLight& light, const Line
 
 Reflection linear_reflection(const LinearLight& light, std::span<const std::array<Rational, 2>> intervals,
                              const Sight& sight) {
+  if (!is_shone_at(light, sight.point)) return {};
   const ExactParts parts = exact_parts(light, intervals, sight);
+  const bool shines_ahead = light.emission.exponent == 0 && !light.emission.flaps;
+  if (parts.is_end_on && !parts.holds_point && !shines_ahead) return {};
   if (parts.holds_point) return {{HUGE_VAL, HUGE_VAL}, {HUGE_VAL, HUGE_VAL}};
   const auto ask = [&]<class Number>(const Number&) {
     const Directions<Number> view = directions<Number>(sight.normal, sight.to_eye);
-    return parts.is_end_on ? end_on(parts, view, sight.lobe) : across(parts, view, sight.lobe);
+    return parts.is_end_on ? end_on(parts, view, sight.lobe) : across(parts, view, sight.lobe, light.emission);
   };
   return with_rising_precision(ask, parts.size);
 }

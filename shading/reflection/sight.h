@@ -28,7 +28,7 @@ inline ExactVector exact_mirror(const Sight& sight) {
   return Rational(double_height) * n - dot(n, n) * e;
 }
 
-/// The integrals, and how large they are at their peaks at most, roughly; infinite peaks ask for nothing.
+/// The integrals, and how large they are at their peaks at most, roughly.
 template <class Number>
 struct Integrals {
   Number received = 0.0;
@@ -51,10 +51,14 @@ inline Irradiance in_true_size(const Irradiance& e, int falls_by) {
   return {value, value < HUGE_VAL ? with_underflow(std::scalbn(e.error_bound, -falls_by)) : HUGE_VAL};
 }
 
+/// An infinite error is not narrow, though the peak may have come out infinite as well.
+inline bool is_narrow(const Bounded& sum, double peak) {
+  return sum.error < HUGE_VAL && sum.error <= widest_share * peak;
+}
+
 template <class Number>
 bool is_narrow(const Integrals<Number>& sums) {
-  return bounded(sums.received).error <= widest_share * sums.received_peak &&
-         bounded(sums.lobe).error <= widest_share * sums.lobe_peak;
+  return is_narrow(bounded(sums.received), sums.received_peak) && is_narrow(bounded(sums.lobe), sums.lobe_peak);
 }
 
 template <class Number>

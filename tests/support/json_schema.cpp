@@ -50,11 +50,31 @@ class Validator {
   }
 
   static void require_known(const json& schema) {
-    constexpr std::array known = {
-        "$schema", "$id",      "$defs",    "$ref",    "title",      "description", "default",
-        "type",    "const",    "enum",     "minimum", "maximum",    "minLength",   "maxLength",
-        "pattern", "minItems", "maxItems", "items",   "properties", "required",    "additionalProperties",
-        "anyOf",   "oneOf"};
+    constexpr std::array known = {"$schema",
+                                  "$id",
+                                  "$defs",
+                                  "$ref",
+                                  "title",
+                                  "description",
+                                  "default",
+                                  "type",
+                                  "const",
+                                  "enum",
+                                  "minimum",
+                                  "maximum",
+                                  "minLength",
+                                  "maxLength",
+                                  "pattern",
+                                  "minItems",
+                                  "maxItems",
+                                  "items",
+                                  "properties",
+                                  "required",
+                                  "additionalProperties",
+                                  "anyOf",
+                                  "oneOf",
+                                  "exclusiveMinimum",
+                                  "exclusiveMaximum"};
     for (const auto& [key, value] : schema.items()) {
       if (std::find(known.begin(), known.end(), key) == known.end()) throw std::invalid_argument("keyword " + key);
     }
@@ -81,6 +101,10 @@ class Validator {
     const double x = value;
     if (schema.contains("minimum") && x < schema["minimum"].get<double>()) return at(place, "is too small");
     if (schema.contains("maximum") && x > schema["maximum"].get<double>()) return at(place, "is too large");
+    if (schema.contains("exclusiveMinimum") && x <= schema["exclusiveMinimum"].get<double>())
+      return at(place, "is too small");
+    if (schema.contains("exclusiveMaximum") && x >= schema["exclusiveMaximum"].get<double>())
+      return at(place, "is too large");
     return {};
   }
 

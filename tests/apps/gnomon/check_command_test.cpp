@@ -25,6 +25,18 @@ TEST_F(CheckCommand, PrintsWhatWasRecognised) {
                              HasSubstr("4 vertices"), HasSubstr("one-sided"), HasSubstr("radiance 1 W/(m^2 sr)")));
 }
 
+TEST_F(CheckCommand, TellsTheFluxOfEveryLightThatHasOne) {
+  write("tube.scene.json", R"({"gnomon": 1, "dimension": 3, "length_unit": "cm", "blockers": [], "lights": [
+    {"name": "tube", "shape": "segment", "vertices": [[0,0,0], [100,0,0]], "intensity_per_length": 2,
+     "emission": {"profile": "cosine"}},
+    {"name": "sun", "shape": "direction", "direction": [0,0,-1]}]})");
+  const Outcome run = gnomon("check tube.scene.json --json tube.json");
+  EXPECT_THAT(run.out, HasSubstr("flux 19.7392 W"));
+  const json lights = read_json("tube.json")["lights"];
+  EXPECT_NEAR(lights[0]["flux"].get<double>(), 2 * 9.8696044010893586, 2e-11);
+  EXPECT_FALSE(lights[1].contains("flux"));
+}
+
 TEST_F(CheckCommand, PrintsEveryPairWithItsPositionOrTheReason) {
   EXPECT_THAT(gnomon("check mixed.scene.json").out,
               AllOf(HasSubstr("6 of 6 supported"), HasSubstr("standard"), HasSubstr("light_crosses_blocker_plane"),
@@ -79,7 +91,8 @@ TEST_F(CheckCommand, PrintsTheJsonAloneOnStandardOutput) {
                                        {"vertices", 4},
                                        {"two_sided", false},
                                        {"radiance", 1.0},
-                                       {"unit", "W/(m^2 sr)"}}));
+                                       {"unit", "W/(m^2 sr)"},
+                                       {"flux", 12.566370614359172}}));
   EXPECT_EQ(result["blockers"][2], (json{{"name", "post"}, {"shape", "polytope"}, {"vertices", 4}}));
   EXPECT_EQ(result["receivers"], json::array());
   EXPECT_EQ(result["doubts"], json::array());

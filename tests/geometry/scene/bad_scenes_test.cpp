@@ -52,7 +52,7 @@ const std::vector<BadScene> bad_scenes = {
     {"length_unit_empty", {"/length_unit", "the string \"\"", "a unit of length"}},
     {"length_unit_unknown", {"/length_unit", "the string \"yd\"", "\"mm\", \"cm\", \"m\", \"km\", \"in\", \"ft\""}},
     {"schema_is_number", {"/$schema", "the number 1", "a string"}},
-    {"unknown_key_in_scene", {"/camera", "the unknown key \"camera\"", "\"receivers\""}},
+    {"unknown_key_in_scene", {"/fog", "the unknown key \"fog\"", "\"receivers\""}},
     {"unknown_key_in_light",
      {"/lights/0/radiancee", "light \"lamp\"", "the unknown key \"radiancee\"", "\"radiance\""}},
     {"unknown_key_in_blocker", {"/blockers/0/paint", "blocker \"table\"", "the unknown key \"paint\""}},

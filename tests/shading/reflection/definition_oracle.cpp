@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <functional>
 
@@ -130,7 +131,8 @@ class LineIntegral {
       : surface_(view, model, exponent),
         from_(space<Long>(light.start) - space<Long>(view.point)),
         along_(space<Long>(light.end) - space<Long>(light.start)),
-        length_(sqrt(inner(along_, along_))) {}
+        length_(sqrt(inner(along_, along_))),
+        emission_(light.emission) {}
 
   Integrated<Long> total() {
     std::vector<Long> cuts = {0, 1};
@@ -141,14 +143,23 @@ class LineIntegral {
     // Where the light is nearest: there halves are needed first.
     const Long near = -inner(from_, along_) / inner(along_, along_);
     if (near > 0 && near < 1) cuts.push_back(near);
+    for (const Long& cut : flap_cuts(near)) {
+      if (cut > 0 && cut < 1) cuts.push_back(cut);
+    }
     std::sort(cuts.begin(), cuts.end());
     Integrated<Long> sum;
     std::vector<Integrated<Long>> whole;
-    for (std::size_t k = 0; k + 1 < cuts.size(); ++k) whole.push_back(rule(cuts[k], cuts[k + 1]));
+    for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+      is_shining_ = is_in_wedge() && is_between_flaps((cuts[k] + cuts[k + 1]) / 2);
+      whole.push_back(rule(cuts[k], cuts[k + 1]));
+    }
     for (const auto& part : whole) sum = sum + part;
     share_ = Long(1e-25) * sum.across;
     sum = {};
-    for (std::size_t k = 0; k + 1 < cuts.size(); ++k) sum = sum + halved(cuts[k], cuts[k + 1], whole[k], 90);
+    for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+      is_shining_ = is_in_wedge() && is_between_flaps((cuts[k] + cuts[k + 1]) / 2);
+      sum = sum + halved(cuts[k], cuts[k + 1], whole[k], 90);
+    }
     return sum;
   }
 
@@ -158,22 +169,56 @@ class LineIntegral {
     Integrated<Long> sum;
     for (std::size_t i = 0; i < gauss.node.size(); ++i) {
       const Space<Long> x = from_ + (a + (b - a) * (1 + gauss.node[i]) / 2) * along_;
-      sum = sum + Long(gauss.weight[i] / inner(x, x)) * surface_.from(x);
+      Integrated<Long> part = surface_.from(x);
+      const Long emitted = is_shining_ ? Long(pow(sine_to_axis(x), emission_.exponent)) : Long(0);
+      part.received *= emitted;
+      part.lobe *= emitted;
+      sum = sum + Long(gauss.weight[i] / inner(x, x)) * part;
     }
     return Long((b - a) / 2 * length_) * sum;
   }
-  Integrated<Long> halved(const Long& a, const Long& b, const Integrated<Long>& whole, int depth) const {
+  /// Of the angle between a direction and the light's axis: the cosine of the one from the planes across it.
+  Long sine_to_axis(const Space<Long>& x) const {
+    const Space<Long> across = outer(along_, x);
+    return sqrt(Long(inner(across, across) / (inner(along_, along_) * inner(x, x))));
+  }
+  static Long degree() { return boost::math::constants::pi<Long>() / 180; }
+  bool is_between_flaps(const Long& share) const {
+    return !emission_.flaps || sine_to_axis(from_ + share * along_) >= cos(Long(*emission_.flaps * degree()));
+  }
+  /// Where the angle to the planes across the light is that of the flaps.
+  std::vector<Long> flap_cuts(const Long& near) const {
+    if (!emission_.flaps) return {};
+    const Space<Long> foot = from_ + near * along_;
+    const Long away = sqrt(inner(foot, foot)) * tan(Long(*emission_.flaps * degree())) / length_;
+    return {near - away, near + away};
+  }
+  /// By angles about the axis, in the way of a clock that is looked at from behind.
+  bool is_in_wedge() const {
+    if (!emission_.shade) return true;
+    const Space<Long> zero = space<Long>(emission_.shade->from);
+    const auto angle = [&](const Space<Long>& x) {
+      const Long turned = atan2(Long(inner(along_, outer(zero, x)) * length_),
+                                Long(inner(zero, x) * inner(along_, along_) - inner(zero, along_) * inner(x, along_)));
+      return Long(turned < 0 ? turned + 360 * degree() : turned);
+    };
+    return angle(Long(-1) * from_) <= angle(space<Long>(emission_.shade->to));
+  }
+  Integrated<Long> halved(const Long& a, const Long& b, const Integrated<Long>& whole, int depth) {
     const Long middle = (a + b) / 2;
     const Integrated<Long> left = rule(a, middle), right = rule(middle, b), sum = left + right;
     const Long share = larger(share_, Long(1e-25 * sum.across)), across = abs(sum.across - whole.across);
     if (agree(sum, whole, share) && across <= 1e6 * share) return sum;
-    if (depth == 0) return {sum.received, sum.lobe, sum.across, false};
+    if (depth == 0 || --halvings_left_ < 0) return {sum.received, sum.lobe, sum.across, false};
     return halved(a, middle, left, depth - 1) + halved(middle, b, right, depth - 1);
   }
 
   Surface<Long> surface_;
   Space<Long> from_, along_;
   Long length_;
+  Emission emission_;
+  bool is_shining_ = true;     ///< where the rule is used
+  int halvings_left_ = 20000;  ///< where rounding decides about a lobe there is no end
   Long share_;
 };
 

@@ -24,8 +24,9 @@ struct Integrated {
   bool is_certain = true;  ///< false where halving has not come to rest
 };
 
-/// What of a linear light of intensity 1 per length is reflected, nothing hidden: Gauss's rule of 20 nodes on halves of
-/// halves, with 40 digits, cut where a cosine changes sign.
+/// What of a linear light of intensity 1 per length, times its emission, is reflected, nothing hidden: Gauss's rule of
+/// 20 nodes on halves of halves, with 40 digits, cut where a cosine changes sign and at flaps. `across` is without
+/// emission.
 Integrated<Long> integrated_line(const LinearLight& light, const View& view, ReflectionModel model, int exponent);
 
 /// The same of a convex area light of radiance 1 whose front the point is before, with 64 bits.

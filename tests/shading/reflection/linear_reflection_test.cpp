@@ -65,7 +65,7 @@ class LinearReflectionAgreement : public ::testing::TestWithParam<ReflectionMode
 TEST_P(LinearReflectionAgreement, BoundsHoldTheIntegralOfTheDefinition) {
   Dice dice(23);
   int outside = 0;
-  for (int round = 0; round < 500; ++round) {
+  for (int round = 0; round < (GNOMON_LONG ? 10000 : 500); ++round) {
     expect_within_bound(drawn_case(dice), GetParam(), &outside, 1.01e-9);
     if (HasFatalFailure()) return;
   }
@@ -140,7 +140,7 @@ bool has_sense(const Case& c) {
 TEST_P(LinearReflectionAgreement, BoundsHoldWhereLightHorizonAndEyeAreInSpecialPosition) {
   Dice dice(24);
   int outside = 0;
-  for (int round = 0; round < 600;) {
+  for (int round = 0; round < (GNOMON_LONG ? 10000 : 500);) {
     const Case c = bent_case(dice);
     if (!has_sense(c)) continue;
     ++round;
