@@ -57,6 +57,9 @@ ExitCode receivers_command(Arguments arguments);
 /// `gnomon render`: a picture of a scene or of a folder written by `gnomon shadow`.
 ExitCode render_command(Arguments arguments);
 
+/// `gnomon image`: a picture of a scene as its camera sees it, every pixel with a bound of its error.
+ExitCode image_command(Arguments arguments);
+
 /// `gnomon example`: a scene that is installed with the program, or the list of them.
 ExitCode example_command(Arguments arguments);
 

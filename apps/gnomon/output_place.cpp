@@ -15,9 +15,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Endings that say what a file holds; any other is the user's own affair.
-constexpr std::array<std::string_view, 17> known_endings = {".csv",  ".json", ".vti", ".vtm",  ".vtpc", ".vtp",
+constexpr std::array<std::string_view, 18> known_endings = {".csv",  ".json", ".vti", ".vtm",  ".vtpc", ".vtp",
                                                             ".vtu",  ".pvd",  ".obj", ".stl",  ".off",  ".ply",
-                                                            ".gltf", ".glb",  ".png", ".html", ".svg"};
+                                                            ".gltf", ".glb",  ".png", ".html", ".svg",  ".pfm"};
 
 std::string ending_of(const std::string& name) {
   std::string ending = fs::path(name).extension().string();
@@ -38,6 +38,8 @@ bool fits_place(const std::string& name, OutputKind kind) {
       return ending.empty() || ending == ".json";
     case OutputKind::image:
       return fs::path(name).extension() == ".vti";
+    case OutputKind::picture:
+      return ending == ".png" || ending == ".pfm" || ending == ".vti";
   }
   return true;
 }
@@ -52,6 +54,8 @@ std::string place_for(OutputKind kind) {
       return "a file that ends in .json, or - for stdout";
     case OutputKind::image:
       return "a file that ends in .vti, which ParaView opens; image data do not go to stdout";
+    case OutputKind::picture:
+      return "a file that ends in .png, .pfm or .vti";
   }
   return {};
 }

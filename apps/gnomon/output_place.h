@@ -7,10 +7,11 @@ namespace gnomon {
 
 /// What an option takes the name of.
 enum class OutputKind {
-  folder,  ///< of a result
-  csv,     ///< "-" is stdout
-  json,    ///< "-" is stdout
-  image,   ///< VTK image data
+  folder,   ///< of a result
+  csv,      ///< "-" is stdout
+  json,     ///< "-" is stdout
+  image,    ///< VTK image data
+  picture,  ///< PNG, PFM or VTK image data
 };
 
 /// Refuses a name whose ending says that something else is meant (a folder `out.vtm`, a table `points.json`), and "-"
