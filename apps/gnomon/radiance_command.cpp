@@ -16,17 +16,22 @@
 #include "apps/gnomon/output_place.h"
 #include "apps/gnomon/point_batches.h"
 #include "apps/gnomon/radiance_output.h"
+#include "apps/gnomon/receiver_rows.h"
 #include "apps/gnomon/scene_input.h"
 #include "geometry/parallel.h"
 #include "gnomon/reflection.h"
 #include "gnomon/scene.h"
 #include "gnomon/visibility.h"
+#include "shading/image/scene_radiance.h"
 
 namespace gnomon {
 namespace {
 
 struct RadianceOptions : CommonOptions {
   std::string at;
+  std::string on;
+  std::string shape;
+  std::string eye;
   std::string material;
   std::string out;
 };
@@ -36,34 +41,49 @@ void add_options(CommandLine& app, RadianceOptions& options) {
   add_text(app, "--at", options.at, "VIEWS.csv|-",
            "Views as CSV with columns x,y,z,nx,ny,nz,ex,ey,ez: a point, its normal, and where the eye is; or nine\n"
            "numbers a line without a header. '-' reads them from stdin. Further columns are passed through");
+  add_text(app, "--on", options.on, "RECEIVER",
+           "Instead of --at: points on this receiver of the scene, one of its sides or facets, seen from --eye");
+  add_text(app, "--shape", options.shape, "nu,nv",
+           "With --on: a grid of this many points on each facet; without it one point, the mean of the corners");
+  add_text(app, "--eye", options.eye, "x,y,z", "With --on: where the eye is (default: that of the scene's camera)");
   add_text(app, "--material", options.material, "NAME",
-           "What the points are made of: one of the scene's materials. Without it the only one, or, in a scene\n"
-           "without materials, a diffuse grey of 0.5");
+           "What the points are made of: one of the scene's materials. Without it the receiver's; or the only one,\n"
+           "or, in a scene without materials, a diffuse grey of 0.5");
   add_text(app, "--out", options.out, "FILE", "Write the CSV to this file (default: to stdout)");
   add_json_option(app, options);
   add_text(app, "--light", options.light, "NAME", "Only this light");
   add_threads_option(app, options);
   add_quiet_option(app, options);
   app.footer(
-      "Each row of the result is a row of the input, followed by light,radiance,error_bound: one for each light,\n"
-      "one for ambient light and one for their total; where colours differ, radiance_r,error_bound_r and so on.\n"
+      "Each row of the result is a row of the input, or x,y,z,nx,ny,nz of a point on the receiver, followed by\n"
+      "light,radiance,error_bound: one for each light, one for ambient light and one for their total; where colours "
+      "differ, radiance_r,error_bound_r and so on.\n"
       "Radiance is in W/(m^2 sr) whatever the scene's unit of length; |radiance - exact| is at most error_bound,\n"
       "for the direction to the eye as the difference of the two points rounded to doubles. Where the eye is not\n"
       "above the point's plane it is 0. A malformed line is reported with its number and left out; the exit code\n"
       "is 3 then.\n\n"
       "Examples:\n"
       "  gnomon radiance examples/two_lamps.scene.json --at examples/views.csv\n"
-      "  gnomon radiance examples/two_lamps.scene.json --at examples/views.csv --json -\n");
+      "  gnomon radiance examples/still_life.scene.json --on floor --shape 4,3\n");
+}
+
+/// The material of the receiver that is called so; empty if it has none, or none is asked for.
+std::string material_on(const std::string& receiver, const SpaceScene& scene) {
+  for (const SceneReceiver& facet : scene.receivers) {
+    if (facet.is_called(receiver)) return facet.material;
+  }
+  return {};
 }
 
 /// The material that was asked for.
 const SceneMaterial& chosen_material(const RadianceOptions& options, const SpaceScene& scene) {
   static const SceneMaterial grey{"", {}};
-  if (options.material.empty()) {
+  const std::string asked = options.material.empty() ? material_on(options.on, scene) : options.material;
+  if (asked.empty()) {
     if (scene.materials.size() > 1) throw UsageError("the scene has several materials: name one with --material NAME");
     return scene.materials.empty() ? grey : scene.materials.front();
   }
-  const auto found = std::ranges::find(scene.materials, options.material, &SceneMaterial::name);
+  const auto found = std::ranges::find(scene.materials, asked, &SceneMaterial::name);
   if (found != scene.materials.end()) return *found;
   std::string known;
   for (const SceneMaterial& material : scene.materials) known += (known.empty() ? "" : ", ") + material.name;
@@ -75,34 +95,12 @@ bool is_grey(const Rgb& colour) {
   return colour[0] == colour[1] && colour[1] == colour[2];
 }
 
-RadianceRgb ambient_radiance(const Material& material, const Rgb& ambient) {
-  RadianceRgb result;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double value = material.ambient[k] * ambient[k];
-    result[k] = {value, value == 0 ? 0 : std::fmax(value * 0x1p-52, 0x1p-1074)};
-  }
-  return result;
-}
-
 /// What is the same for all rows.
 struct Question {
   std::vector<const SceneLight*> lights;
   Material material;
   LengthUnit unit;
   RadianceRgb ambient;
-
-  RadianceRgb of(const SceneLight& light, Reflection reflection) const {
-    reflection.received = per_square_metre(reflection.received, light.shape, unit);
-    reflection.lobe = per_square_metre(reflection.lobe, light.shape, unit);
-    Rgb strength = light.color;
-    for (double& s : strength) s *= light.strength;
-    RadianceRgb result = reflected_radiance(reflection, material, strength);
-    // What the product of strength and colour rounds.
-    if (light.color != Rgb{1, 1, 1}) {
-      for (Radiance& r : result) r.error_bound += 0x1p-52 * r.value;
-    }
-    return result;
-  }
 };
 
 /// Half of the way from a point to another, which does not overflow.
@@ -113,17 +111,30 @@ Point3 halfway(const std::array<double, 3>& from, const std::array<double, 3>& t
 /// Of every worker, for every light asked for.
 using ReflectionsOfWorkers = std::vector<std::vector<LightReflection>>;
 
-void answer(SeenRow& seen, const Question& question, const PreparedObstacles& obstacles,
-            std::vector<LightReflection>& lights) {
+/// Where the rows come from.
+struct Views {
+  std::string file;                                           ///< as messages call it
+  std::string header;                                         ///< the columns that the result repeats
+  std::function<std::vector<TableRow>()> next_batch;          ///< none at the end
+  std::function<ReceiverPoint(const PointRow&)> receiver_of;  ///< any number of threads may ask
+  std::size_t count = 0;                                      ///< of rows; 0 if nobody knows
+  std::function<double()> share = [] { return -1.0; };        ///< of the work that has been read, if count is 0
+};
+
+void answer(SeenRow& seen, const Question& question, const Views& views, std::vector<LightReflection>& lights) {
   const auto* row = std::get_if<PointRow>(&seen.row);
   if (!row) return;
+  if (row->eye == row->coordinates) {  // from the surface's own plane nothing is seen
+    seen.lights.resize(lights.size());
+    return;
+  }
   const auto& [x, y, z] = row->coordinates;
   const auto& [nx, ny, nz] = row->normal;
   const View view{{x, y, z}, {nx, ny, nz}, halfway(row->coordinates, row->eye)};
-  const ReceiverPoint receiver = resting_point(obstacles, view.point, view.normal);
+  const ReceiverPoint receiver = views.receiver_of(*row);
   for (std::size_t l = 0; l < lights.size(); ++l) {
     const Reflection r = lights[l].received(receiver, view, question.material.model, question.material.exponent);
-    seen.lights.push_back(question.of(*question.lights[l], r));
+    seen.lights.push_back(reflected_radiance(*question.lights[l], r, question.material, question.unit));
   }
   if (eye_is_above(view)) seen.ambient = question.ambient;
 }
@@ -162,9 +173,8 @@ struct RadianceOutputs {
   }
 };
 
-ExitCode write_radiance(const RadianceOptions& options, const SpaceScene& scene, PointTable& table,
-                        const std::string& file, const std::function<double()>& share) {
-  const PreparedObstacles obstacles(scene_bodies(scene).obstacles);
+ExitCode write_radiance(const RadianceOptions& options, const SpaceScene& scene, const PreparedObstacles& obstacles,
+                        const Views& views) {
   const SceneMaterial& material = chosen_material(options, scene);
   const Question question{chosen_lights(scene.lights, options.light), material.material,
                           *length_unit_named(scene.length_unit),
@@ -173,26 +183,73 @@ ExitCode write_radiance(const RadianceOptions& options, const SpaceScene& scene,
   for (std::vector<LightReflection>& own : reflections) {
     for (const SceneLight* light : question.lights) own.emplace_back(light->shape, obstacles);
   }
-  RadianceOutputs outputs(options, scene, table.header(), material, question.lights);
-  Progress progress("point", 0, progress_visibility(options.quiet, options.out.empty()));
+  RadianceOutputs outputs(options, scene, views.header, material, question.lights);
+  Progress progress("point", views.count, progress_visibility(options.quiet, options.out.empty()));
   std::size_t points = 0, malformed_lines = 0;
-  for (auto batch = next_rows(table); !batch.empty(); batch = next_rows(table)) {
+  for (auto batch = views.next_batch(); !batch.empty(); batch = views.next_batch()) {
     std::vector<SeenRow> rows;
     for (TableRow& row : batch) rows.push_back({std::move(row), {}, {}});
     for_all(rows.size(), static_cast<unsigned>(reflections.size()),
-            [&](std::size_t i, std::size_t worker) { answer(rows[i], question, obstacles, reflections[worker]); });
+            [&](std::size_t i, std::size_t worker) { answer(rows[i], question, views, reflections[worker]); });
     for (const SeenRow& seen : rows) {
       outputs.add(seen);
       const auto* malformed = std::get_if<MalformedRow>(&seen.row);
       ++(malformed ? malformed_lines : points);
-      if (malformed) print_error(file + ':' + std::to_string(malformed->line) + ": " + malformed->problem);
+      if (malformed) print_error(views.file + ':' + std::to_string(malformed->line) + ": " + malformed->problem);
     }
     if (!outputs.json_file) finish_stdout();
     progress.step(rows.size());
-    progress.set_share(share());
+    progress.set_share(views.share());
   }
   outputs.publish(points, malformed_lines);
   return malformed_lines == 0 ? ExitCode::done : ExitCode::bad_scene;
+}
+
+ExitCode at_views(const RadianceOptions& options, const SpaceScene& scene) {
+  const PreparedObstacles obstacles(scene_bodies(scene).obstacles);
+  return with_points(options.at, [&](std::istream& stream, const std::string& file) {
+    PointTable table(stream, file, TableColumns::views);
+    const auto receiver_of = [&](const PointRow& row) {
+      const auto& [x, y, z] = row.coordinates;
+      const auto& [nx, ny, nz] = row.normal;
+      return resting_point(obstacles, {x, y, z}, {nx, ny, nz});
+    };
+    return write_radiance(options, scene, obstacles,
+                          {file, table.header(), [&] { return next_rows(table); }, receiver_of, 0,
+                           [&] { return share_read(stream, options.at); }});
+  });
+}
+
+std::array<double, 3> eye_of(const RadianceOptions& options, const SpaceScene& scene) {
+  if (!options.eye.empty()) {
+    const std::vector<std::string_view> parts = comma_separated(options.eye);
+    std::array<double, 3> eye{};
+    if (parts.size() != 3) throw UsageError("--eye: found '" + options.eye + "', expected x,y,z");
+    for (std::size_t k = 0; k < 3; ++k) eye[k] = finite_value("--eye", std::string(parts[k]), "x,y,z");
+    return eye;
+  }
+  if (!scene.camera) throw UsageError("--on RECEIVER: expected --eye x,y,z, as the scene has no camera");
+  return {scene.camera->eye.x, scene.camera->eye.y, scene.camera->eye.z};
+}
+
+ExitCode on_receiver_seen(const RadianceOptions& options, const SpaceScene& scene) {
+  require_receiver("--on", options.on, scene.receivers);
+  const std::array<double, 3> eye = eye_of(options, scene);
+  const PreparedObstacles obstacles(scene_bodies(scene).obstacles);
+  std::optional<std::array<std::uint32_t, 2>> shape;
+  if (!options.shape.empty()) shape = whole_numbers<2>("--shape", options.shape, "nu,nv");
+  ReceiverRows rows(scene, options.on, shape);
+  if (!rows.has_finite_points()) {
+    throw UnsupportedError(scene.source + ": receiver '" + options.on + "' is wider than doubles go (1.8e308)");
+  }
+  const OwnBlockers own(obstacles.obstacles());
+  const auto next_batch = [&] {
+    std::vector<TableRow> batch = rows.next();
+    for (TableRow& row : batch) std::get<PointRow>(row).eye = eye;
+    return batch;
+  };
+  const auto receiver_of = [&](const PointRow& row) { return rows.receiver_of(row, own); };
+  return write_radiance(options, scene, obstacles, {options.on, rows.header(), next_batch, receiver_of, rows.count()});
 }
 
 }  // namespace
@@ -207,12 +264,11 @@ ExitCode radiance_command(Arguments arguments) {
   if (!app.parse(arguments)) return ExitCode::done;
   require_table_places(options.out, options.json);
   if (options.out == "-") options.out.clear();
-  if (options.at.empty()) throw UsageError("expected --at VIEWS.csv");
+  if (options.at.empty() == options.on.empty()) throw UsageError("expected either --at VIEWS.csv or --on RECEIVER");
+  if (options.on.empty() && !options.shape.empty()) throw UsageError("--shape nu,nv goes with --on RECEIVER");
+  if (options.on.empty() && !options.eye.empty()) throw UsageError("--eye x,y,z goes with --on RECEIVER");
   const SpaceScene scene = space_scene_with_warnings(options.scene, "radiance");
-  return with_points(options.at, [&](std::istream& stream, const std::string& file) {
-    PointTable table(stream, file, TableColumns::views);
-    return write_radiance(options, scene, table, file, [&] { return share_read(stream, options.at); });
-  });
+  return options.on.empty() ? at_views(options, scene) : on_receiver_seen(options, scene);
 }
 
 }  // namespace gnomon

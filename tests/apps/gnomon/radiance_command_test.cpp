@@ -109,5 +109,38 @@ TEST_F(RadianceCommand, TellsLinesThatAreNoViews) {
   EXPECT_THAT(gnomon("radiance grey.scene.json --at short.csv").err, HasSubstr("x,y,z,nx,ny,nz,ex,ey,ez"));
 }
 
+/// A floor of lacquer under a bulb.
+const std::string seen_floor = R"({"gnomon": 1, "dimension": 3, "blockers": [],
+  "camera": {"eye": [0, 0, 5], "look_at": [0, 0, 0], "up": [0, 1, 0]},
+  "materials": [{"name": "chalk"}, {"name": "lacquer", "diffuse": 0, "specular": 1, "exponent": 0}],
+  "lights": [{"name": "bulb", "shape": "point", "position": [0, 0, 2], "intensity": 4}],
+  "receivers": [{"name": "floor", "shape": "polygon", "material": "lacquer",
+                 "vertices": [[-1,-1,0], [1,-1,0], [1,1,0], [-1,1,0]]}]})";
+
+TEST_F(RadianceCommand, IsSpreadOverAReceiverOfItsMaterial) {
+  write("floor.scene.json", seen_floor);
+  const Outcome run = gnomon("radiance floor.scene.json --on floor --quiet");
+  ASSERT_THAT(lines(run.out), SizeIs(4)) << run.err;
+  EXPECT_EQ(lines(run.out)[0], "x,y,z,nx,ny,nz,light,radiance,error_bound");
+  EXPECT_THAT(lines(run.out)[1], StartsWith("0,0,0,0,0,1,bulb,0.318309886"));
+  EXPECT_THAT(lines(gnomon("radiance floor.scene.json --on floor --shape 3,2 --quiet").out), SizeIs(1 + 3 * 6));
+  EXPECT_THAT(lines(gnomon("radiance floor.scene.json --on floor --eye 0,0,-5 --quiet").out)[1],
+              StartsWith("0,0,0,0,0,1,bulb,0,0"));
+  EXPECT_THAT(lines(gnomon("radiance floor.scene.json --on floor --eye 0,0,0 --quiet").out)[3],
+              StartsWith("0,0,0,0,0,1,total,0,0"));
+  EXPECT_THAT(lines(gnomon("radiance floor.scene.json --on floor --material chalk --quiet").out)[1],
+              StartsWith("0,0,0,0,0,1,bulb,0.1591549"));
+}
+
+TEST_F(RadianceCommand, WantsAnEyeForAReceiverAndOneSourceOfPoints) {
+  write("grey.scene.json", scene_with(""));
+  write("floor.scene.json", seen_floor);
+  EXPECT_EQ(gnomon("radiance floor.scene.json --at views.csv --on floor").code, 2);
+  EXPECT_EQ(gnomon("radiance floor.scene.json").code, 2);
+  EXPECT_EQ(gnomon("radiance floor.scene.json --at views.csv --eye 0,0,1").code, 2);
+  EXPECT_THAT(gnomon("radiance floor.scene.json --on floor --eye 0,1").err, HasSubstr("expected x,y,z"));
+  EXPECT_THAT(gnomon("radiance floor.scene.json --on ceiling").err, HasSubstr("it has 'floor'"));
+}
+
 }  // namespace
 }  // namespace gnomon
