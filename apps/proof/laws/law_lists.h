@@ -31,6 +31,15 @@ std::vector<Law> planar_laws();
 /// E1, E7 and M5: the discontinuities that a receiver shows.
 std::vector<Law> receiver_laws();
 
+/// What is said of reflection but is false: G1 to G9.
+std::vector<Law> reflection_claims();
+
+/// The laws of what surfaces reflect: H1 to H8.
+std::vector<Law> reflection_laws();
+
+/// Mistakes in what is reflected; all_mutants() has them too.
+std::vector<Mutant> reflection_mutants();
+
 /// The laws about many blockers in space.
 std::vector<Law> sight_laws();
 

@@ -326,7 +326,7 @@ std::vector<Mutant> flatland_mutants() {
 std::vector<Mutant> all_mutants() {
   std::vector<Mutant> all;
   for (auto& family : {planar_pair_mutants(), flatland_mutants(), plane_mutants(), volume_mutants(), hull_mutants(),
-                       sight_mutants(), event_mutants()}) {
+                       sight_mutants(), event_mutants(), reflection_mutants()}) {
     all.insert(all.end(), family.begin(), family.end());
   }
   return all;
@@ -358,6 +358,9 @@ Subject with_part_watched(Part part, std::function<void()> asked) {
       break;
     case Part::divided_receiver:
       subject.divided_receiver = watched(subject.divided_receiver);
+      break;
+    case Part::reflection:
+      subject.reflection = watched(subject.reflection);
       break;
     case Part::planar_extremal_lines:
       subject.planar_extremal_lines = watched(subject.planar_extremal_lines);

@@ -17,6 +17,7 @@ enum class Part {
   visibility,
   discontinuity_surfaces,
   divided_receiver,
+  reflection,
   planar_extremal_lines,
   planar_regions,
   planar_region_of,

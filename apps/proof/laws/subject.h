@@ -8,6 +8,7 @@
 #include "gnomon/flatland_partition.h"
 #include "gnomon/flatland_regions.h"
 #include "gnomon/receiver_mesh.h"
+#include "gnomon/reflection.h"
 #include "gnomon/shadow_volume.h"
 #include "gnomon/visibility.h"
 
@@ -51,6 +52,10 @@ struct Subject {
       };
   std::function<DividedReceiver(const Light&, const std::vector<ConvexBlocker>&, const ConvexPolygon&)>
       divided_receiver = laws::divided_receiver;
+  std::function<Reflection(const Light&, const Obstacles&, const gnomon::View&, ReflectionModel, int exponent)>
+      reflection =
+          [](const Light& light, const Obstacles& obstacles, const gnomon::View& view, ReflectionModel model,
+             int exponent) { return LightReflection(light, PreparedObstacles(obstacles)).at(view, model, exponent); };
 };
 
 }  // namespace gnomon::laws
