@@ -126,6 +126,7 @@ ExitCode report_command(Arguments arguments) {
   report.machine = report::machine();
   report.measurements = measurements(options, shown);
   report.timings = timings(options, shown);
+  report.table_one = report::table_one(options.effort());
   report.hard_cases = hard_case_results(options, shown);
   report.rotations = report::rotation_results(options.effort());
   const std::vector<std::string> files = written(report, options.out, staged);

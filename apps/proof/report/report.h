@@ -8,6 +8,7 @@
 #include "apps/proof/report/measurement.h"
 #include "apps/proof/report/rotation.h"
 #include "apps/proof/report/sight_tasks.h"
+#include "apps/proof/report/table_one.h"
 #include "apps/proof/report/timings.h"
 
 namespace gnomon::report {
@@ -20,6 +21,7 @@ struct Report {
   std::vector<Timing> timings;
   std::vector<HardCaseResult> hard_cases;
   std::vector<RotationResult> rotations;
+  std::vector<TableOneRow> table_one;
 };
 
 /// A file, by its name relative to the report's folder.

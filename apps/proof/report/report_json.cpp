@@ -79,6 +79,16 @@ ordered_json entry(const RotationResult& r) {
           {"embree_max", r.embree_most}};
 }
 
+ordered_json entry(const TableOneRow& row) {
+  return {{"primitive", row.primitive},
+          {"shadows", row.has_shadows},
+          {"pixel_ns", 1e9 * row.pixel_seconds},
+          {"constant", row.constant},
+          {"per_point", row.per_point},
+          {"equal", row.equal()},
+          {"rms", row.rms}};
+}
+
 ordered_json entry(const Equivalent& e) {
   return {{"task", e.task}, {"method", e.method}, {"blockers", e.size}, {"samples", e.samples}, {"rms", e.rms}};
 }
@@ -102,6 +112,7 @@ TextFile report_json(const Report& report) {
   document["timings"] = list(report.timings);
   document["equivalent_point_lights"] = list(equivalents(report.measurements));
   document["rotation"] = list(report.rotations);
+  document["table_one"] = list(report.table_one);
   return {"report.json", document.dump(1) + '\n'};
 }
 

@@ -107,6 +107,38 @@ void add_visibility(Findings& all, const Report& report) {
                                                        memory(report, "set_up", 100000));
 }
 
+/// Of evaluations with their bounds, beside those of a point light with the same exponent or of the same light.
+void add_reflection(Findings& all, const Report& report) {
+  const Limits ratios{all, "reflection", times_text};
+  const auto beside = [&](const std::string& a, std::size_t n, const std::string& b, std::size_t m) {
+    return quotient(seconds(report, a, n), seconds(report, b, m));
+  };
+  ratios.add("a linear light's irradiance, beside a point's", 6, beside("line_diffuse", 1, "point_diffuse", 1));
+  for (const std::size_t n : {10U, 50U, 200U, 10000U}) {
+    const std::string lobe = "a linear light's lobe of exponent " + std::to_string(n);
+    ratios.add(lobe + ", beside a point's", n == 50 ? 16 : 10, beside("line_phong", n, "point_phong", n));
+  }
+  ratios.add("a linear light's lobe of exponent 200, beside 10", 1.25, beside("line_phong", 200, "line_phong", 10));
+  ratios.add("a linear light's Blinn lobe of exponent 50, beside Phong's", 25,
+             beside("line_blinn", 50, "line_phong", 50));
+  for (const auto& [n, limit] : {std::pair{1U, 5.0}, {50U, 12.0}, {200U, 30.0}}) {
+    ratios.add("a rectangle's lobe of exponent " + std::to_string(n) + ", beside its irradiance", limit,
+               beside("lamp_phong", n, "lamp_lambert", 1));
+  }
+  ratios.add("a rectangle's Blinn lobe of exponent 50, beside Phong's", 25, beside("lamp_blinn", 50, "lamp_phong", 50));
+}
+
+/// A linear light costs as much as so many points, of every primitive of Table I.
+void add_table_one(Findings& all, const Report& report) {
+  std::optional<double> most;
+  for (const TableOneRow& row : report.table_one) {
+    if (row.has_shadows) most = std::max(most.value_or(0), row.equal());
+  }
+  if (!most) return;  // every report measures it
+  all.push_back({"a picture under one linear light, in pictures under so many points (Table I)", "at most 8 points",
+                 short_text(*most) + " points", *most <= 8, false, "gnomon report --out DIR"});
+}
+
 /// The exponent with which the time grows with the faces, from few receivers to many.
 std::optional<double> growth_exponent(const Timing* few, const Timing* many) {
   if (few == nullptr || many == nullptr) return std::nullopt;
@@ -140,6 +172,8 @@ std::vector<Finding> timing_findings(const Report& report) {
   Findings all;
   add_planes(all, report);
   add_meshes(all, report);
+  add_reflection(all, report);
+  add_table_one(all, report);
   add_visibility(all, report);
   add_stacks(all, report);
   return all;

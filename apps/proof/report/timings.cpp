@@ -150,6 +150,7 @@ std::vector<TimingTask> timing_tasks(Effort effort) {
                                    {"meshes", [=] { return meshes(effort); }},
                                    {"a mesh part by part", [=] { return mesh_parts(effort); }},
                                    {"a square in full view", [=] { return lambert_quad(effort); }},
+                                   {"what a floor reflects", [=] { return reflection_timings(effort); }},
                                    {"random points", random_points},
                                    {"many triangles", set_up}};
   if (effort == Effort::quick) return tasks;
