@@ -26,8 +26,36 @@ scene figure_4_21 figure_4_21.png
 scene cornell_box cornell_box.png
 scene letter_block letter_block.png
 
+# image SCENE [OPTION...]: what a scene's camera sees.
+image() {
+  file=$1
+  shift
+  "$gnomon" image "$examples/$file.scene.json" --quiet "$@"
+}
+
+image still_life --out "$folder/still_life.png" --samples 2
+for name in phong_1_7 phong_2_4 phong_4_18; do image papers/$name --out "$folder/$name.png" --samples 3; done
+for mode in flat gouraud phong; do
+  image papers/phong_4_7 --out "$folder/phong_4_7_$mode.png" --samples 3 --shading $mode
+done
+for name in p93_3_8 p93_3_10; do image papers/$name --out "$folder/$name.png" --samples 2; done
+
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+
+# beside SCENE POINTS: a scene, and the same with points for its lights; prints what they differ by.
+beside() {
+  image "papers/$1" --out "$folder/$1.png" --exposure "$3"
+  image "papers/$1" --out "$folder/$1_points.png" --exposure "$3" --lights "points:$2"
+  image "papers/$1" --out "$work/exact.pfm"
+  image "papers/$1" --out "$work/points.pfm" --lights "points:$2"
+  printf '%s, %s points: ' "$1" "$2"
+  ./compare_pictures.py "$work/exact.pfm" "$work/points.pfm"
+}
+
+beside pa90_sphere 7 5
+beside p93_desk 7 3.5
+beside p93_cafeteria 3 3
 
 # divided SCENE PICTURE: the receivers of a scene with their regions and the lines of each order.
 divided() {
