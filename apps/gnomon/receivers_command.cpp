@@ -45,8 +45,8 @@ void add_options(CommandLine& app, ReceiversOptions& options) {
   app.footer(
       "Each receiver is divided by every discontinuity; of those of three edges in line, which are arcs of conics, by\n"
       "those that bound an umbra. Faces are labelled lit, penumbra, umbra or unlit. Only what of the light lies\n"
-      "strictly before a receiver's plane counts. Unlit is what has nothing of it before, or sees its back or its edge.\n"
-      "Areas are in squares of the scene's unit of length.\n\n"
+      "strictly before a receiver's plane counts. Unlit is what has nothing of it before, or sees its back or its\n"
+      "edge. Areas are in squares of the scene's unit of length.\n\n"
       "Examples:\n"
       "  gnomon receivers examples/cornell_box.scene.json --receiver floor\n"
       "  gnomon receivers examples/figure_4_22.scene.json --out floor_mesh --json -\n");
