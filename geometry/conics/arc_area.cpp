@@ -89,7 +89,7 @@ PointBox point_box(const FlatCurve& curve, RealRoot& root, unsigned bits) {
     const Homogeneous h = polar(curve, span_of(root), span_of(root), bits);
     if (h[0].certain_sign() != 0) {
       PointBox box = affine(h, bits);
-      const Rational size = std::max({Rational(1), Rational(abs(box.x.high)), Rational(abs(box.y.high))});
+      const Rational size = std::max(Rational(abs(box.x.high)), Rational(abs(box.y.high)));
       if (std::max(box.x.width(), box.y.width()) <= least * size) return box;
     }
     if (root.is_rational()) return affine(h, bits);

@@ -13,8 +13,8 @@ struct PointBox {
   RationalInterval y;
 };
 
-/// Around the point at a root, which is refined. Each side is at most 2^-bits of the larger coordinate, or of 1 if that
-/// is more. Requires: a point not at infinity.
+/// Around the point at a root, which is refined. Each side is at most 2^-bits of the larger coordinate.
+/// Requires: a point not at infinity.
 PointBox point_box(const FlatCurve& curve, RealRoot& root, unsigned bits);
 
 /// Twice the area between an arc and its chord, positive if the arc runs on the chord's right side as the parameter

@@ -48,23 +48,40 @@ class FlatDrawing {
   double chord_error() const { return chord_error_; }
   std::vector<std::vector<std::uint32_t>> take_lines() { return std::move(lines_); }
 
-  /// Throws: what CGAL throws where chords cross.
-  std::vector<ReceiverTriangle> triangles() const {
+  /// Whether a chord was left out because it crosses another or an edge.
+  bool has_crossing() const { return has_crossing_; }
+
+  std::vector<ReceiverTriangle> triangles() {
     DrawingTriangulation triangulation;
     std::vector<DrawingTriangulation::Vertex_handle> handles;
     for (const event::FlatPoint& p : points_) {
       handles.push_back(triangulation.insert(DrawingKernel::Point_2(DrawingKernel::FT(p.x), DrawingKernel::FT(p.y))));
       handles.back()->info() = static_cast<std::uint32_t>(handles.size() - 1);
     }
-    for (std::size_t e = 0; e < lines_.size(); ++e) {
-      for (std::size_t k = 0; k + 1 < lines_[e].size(); ++k) {
-        triangulation.insert_constraint(handles[lines_[e][k]], handles[lines_[e][k + 1]]);
+    // Straight edges first: chords that cross one are left out.
+    for (const bool is_arc : {false, true}) {
+      for (std::size_t e = 0; e < lines_.size(); ++e) {
+        if ((data_.edges[e].arc != MeshEdge::nowhere) == is_arc) insert(lines_[e], handles, triangulation);
       }
     }
     return labelled(triangulation);
   }
 
  private:
+  void insert(const std::vector<std::uint32_t>& line, const std::vector<DrawingTriangulation::Vertex_handle>& handles,
+              DrawingTriangulation& triangulation) {
+    for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+      // Vertices that are told apart may be one to 2^-100.
+      const auto from = handles[line[k]], to = handles[line[k + 1]];
+      if (from == to) continue;
+      try {
+        triangulation.insert_constraint(from, to);
+      } catch (const DrawingTriangulation::Intersection_of_constraints_exception&) {
+        has_crossing_ = true;
+      }
+    }
+  }
+
   struct Left {
     std::uint32_t face = MeshEdge::nowhere;
     bool is_arc = false;
@@ -150,6 +167,7 @@ class FlatDrawing {
   std::vector<event::FlatPoint> points_;
   std::vector<std::vector<std::uint32_t>> lines_;
   double chord_error_ = 0;
+  bool has_crossing_ = false;
 };
 
 double width_of(std::span<const Point3> points) {
@@ -189,15 +207,11 @@ MeshDrawing ReceiverMesh::drawing() const {
   const double stretch = nearest_root(data_->plane.squared_stretch());
   const double width = width_of(vertices());
   double tolerance = width / 4096 / stretch;
-  while (true) {
+  for (int trial = 0;; ++trial, tolerance /= 16) {
+    constexpr int most_trials = 2;
     FlatDrawing flat(*data_, tolerance);
-    try {
-      result.triangles = flat.triangles();
-    } catch (const DrawingTriangulation::Intersection_of_constraints_exception&) {
-      if (tolerance < 1e-12 * width) throw;  // two arcs touch
-      tolerance /= 8;
-      continue;
-    }
+    result.triangles = flat.triangles();
+    if (flat.has_crossing() && trial < most_trials) continue;
     result.lines = flat.take_lines();
     result.chord_error = 1.0001 * stretch * flat.chord_error();
     for (const event::FlatPoint& p : flat.points()) result.points.push_back(lifted(data_->plane, p));

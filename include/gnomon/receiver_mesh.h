@@ -130,7 +130,7 @@ class ReceiverMesh {
   std::vector<MeshArc> arcs() const;
 
   /// The mesh as triangles and lines. Chords of arcs are at most 1/4096 of the receiver's width from them, closer where
-  /// they would cross others.
+  /// they would cross others; where even then they do, triangles beside them are not exact.
   MeshDrawing drawing() const;
 
   /// Connected components of equal region.
