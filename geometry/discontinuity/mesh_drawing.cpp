@@ -20,20 +20,17 @@ using DrawingTriangulation =
     CGAL::Constrained_Delaunay_triangulation_2<DrawingKernel, DrawingStructure, CGAL::No_constraint_intersection_tag>;
 
 /// How far an arc strays from its chord, between two values of the parameter: the height of the middle Bezier point
-/// times w / (1 + w). Of plain doubles, told a little larger.
+/// times w / (1 + w). From exact differences in plain doubles, told a little larger than their rounding.
 double arc_height(const FaceArc& arc, const Rational& from, const Rational& to) {
-  const auto points = conic::bezier_points(arc.curve, from, to);
-  std::array<double, 3> h[3];
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) h[i][k] = nearest_double(Rational(points[i][k] / points[0][0]));
-  }
-  const auto x = [&](int i) { return h[i][1] / h[i][0]; };
-  const auto y = [&](int i) { return h[i][2] / h[i][0]; };
-  const double chord_x = x(2) - x(0), chord_y = y(2) - y(0), length = std::hypot(chord_x, chord_y);
-  const double weight = h[1][0] / std::sqrt(h[0][0] * h[2][0]);
-  if (!(length > 0) || !(std::fabs(weight) < 1e150)) return 0;
-  const double height = std::fabs((x(1) - x(0)) * chord_y - (y(1) - y(0)) * chord_x) / length;
-  return 1.0001 * height * std::fabs(weight) / (1 + std::fabs(weight));
+  const auto [p, q, r] = conic::bezier_points(arc.curve, from, to);
+  const auto difference = [](const auto& b, const auto& a, std::size_t k) {
+    return nearest_double(Rational(b[k] / b[0] - a[k] / a[0]));
+  };
+  const double chord_x = difference(r, p, 1), chord_y = difference(r, p, 2), length = std::hypot(chord_x, chord_y);
+  const double x = difference(q, p, 1), y = difference(q, p, 2);
+  const double weight = nearest_root(Rational(q[0] * q[0] / (p[0] * r[0])));
+  const double height = length > 0 ? std::fabs(x * chord_y - y * chord_x) / length : std::hypot(x, y);
+  return 1.0001 * height * weight / (1 + weight);
 }
 
 /// A mesh on its receiver's plane, arcs as chords.
@@ -212,6 +209,7 @@ MeshDrawing ReceiverMesh::drawing() const {
     FlatDrawing flat(*data_, tolerance);
     result.triangles = flat.triangles();
     if (flat.has_crossing() && trial < most_trials) continue;
+    result.chords_cross = flat.has_crossing();
     result.lines = flat.take_lines();
     result.chord_error = 1.0001 * stretch * flat.chord_error();
     for (const event::FlatPoint& p : flat.points()) result.points.push_back(lifted(data_->plane, p));

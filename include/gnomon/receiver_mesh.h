@@ -65,8 +65,8 @@ struct MeshEdge {
 ///
 /// A point of it, at 0 <= t <= 1: (1-t)^2 p0 + 2 t (1-t) w p1 + t^2 p2 over (1-t)^2 + 2 t (1-t) w + t^2.
 struct MeshArc {
-  std::array<Point3, 3> points{};  ///< p0, p1, p2; the middle one is off by at most 2^-50 of the largest coordinate
-  double weight = 1;               ///< w > 0: below 1 of an ellipse, above 1 of a hyperbola; so is this
+  std::array<Point3, 3> points{};  ///< p0, p1, p2; the middle one is an estimate, of ends known to 2^-100
+  double weight = 1;               ///< w > 0, such an estimate: below 1 of an ellipse, above 1 of a hyperbola
 };
 
 /// A face that no event crosses that could change its region.
@@ -88,6 +88,7 @@ struct MeshDrawing {
   std::vector<ReceiverTriangle> triangles;        ///< the faces, counterclockwise seen from the front
   std::vector<std::vector<std::uint32_t>> lines;  ///< of each edge, from its source to its target
   double chord_error = 0;                         ///< no point of an arc is farther from its chords
+  bool chords_cross = false;                      ///< some do, or cross an edge: triangles beside them are not exact
 };
 
 /// Connected faces of one region.
@@ -120,7 +121,7 @@ RegionArea total_area(std::span<const RegionArea> areas);
 ///             after Demouth, Devillers, Everett, Glisse, Lazard, Seidel (2009).
 class ReceiverMesh {
  public:
-  /// Rounded to nearest.
+  /// Rounded to nearest; of vertices with irrational coordinates, at ends of arcs, off by at most an ulp.
   std::vector<Point3> vertices() const;
   std::size_t vertex_count() const;
   const std::vector<MeshEdge>& edges() const;
@@ -130,7 +131,7 @@ class ReceiverMesh {
   std::vector<MeshArc> arcs() const;
 
   /// The mesh as triangles and lines. Chords of arcs are at most 1/4096 of the receiver's width from them, closer where
-  /// they would cross others; where even then they do, triangles beside them are not exact.
+  /// they would cross others, as far as a few trials go.
   MeshDrawing drawing() const;
 
   /// Connected components of equal region.

@@ -34,6 +34,7 @@ SideDrawing side_drawing(SideResult side) {
     MeshDrawing drawing = piece.mesh.drawing();
     result.points.insert(result.points.end(), drawing.points.begin(), drawing.points.end());
     result.chord_error = std::max(result.chord_error, drawing.chord_error);
+    result.chords_cross = result.chords_cross || drawing.chords_cross;
     if (!piece.visible_fractions.empty()) {
       result.fractions.insert(result.fractions.end(), piece.visible_fractions.begin(), piece.visible_fractions.end());
       // Arcs bound umbrae, which they belong to.
@@ -55,6 +56,7 @@ Fields receiver_fields(const ShadowResult& frame, SideResult side, const SideDra
     if (areas[k].exact) fields.push_back({region + "_area_exact", std::vector<std::string>{*areas[k].exact}});
   }
   if (drawing.chord_error > 0) fields.push_back({"chord_error", std::vector<double>{drawing.chord_error}});
+  if (drawing.chords_cross) fields.push_back({"chords_cross", std::vector<double>{1}});
   return fields;
 }
 

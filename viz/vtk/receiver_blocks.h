@@ -15,6 +15,7 @@ struct SideDrawing {
   std::vector<Point3> points;
   std::vector<double> fractions;
   double chord_error = 0;
+  bool chords_cross = false;
 };
 
 SideDrawing side_drawing(SideResult side);
