@@ -333,14 +333,20 @@ void CurveMap::drop_loose_ends() {
   }
 }
 
-/// Joins what is apart from the first side by straight cuts along x. Returns: false if nothing was apart.
+/// Joins what is apart from the outer boundary by straight cuts along x, towards it. Returns: false if nothing was
+/// apart.
 bool CurveMap::add_cuts() {
   boost::disjoint_sets_with_storage<> sets(nodes_.size());
   for (const Piece& p : pieces_) sets.union_set(p.start, p.end);
-  const auto first = std::find_if(pieces_.begin(), pieces_.end(), [](const Piece& p) { return p.side == 0; });
+  // The polygon's rightmost vertex is one of the outer boundary, and vertices are nodes of the same number.
   Rational right = sides_.front().from.x;
-  for (const Side& s : sides_) right = std::max({right, s.from.x, s.to.x});
-  std::set<unsigned long> joined{sets.find_set(first->start)};
+  std::uint32_t rightmost = sides_.front().from_vertex;
+  for (const Side& s : sides_) {
+    if (s.from.x <= right) continue;
+    right = s.from.x;
+    rightmost = s.from_vertex;
+  }
+  std::set<unsigned long> joined{sets.find_set(rightmost)};
   bool is_any = false;
   for (Piece& p : pieces_) {
     if (!joined.insert(sets.find_set(p.start)).second) continue;

@@ -32,8 +32,9 @@ struct NamedArc {
 ///
 /// Method:    every arc and every side lies on one of some curves, which are parted where they meet: at real roots on
 ///            both of their parameters, which are matched exactly. Around a point the curves' ends are put in order by
-///            the sides on which they lie of each other, close by. Ends that lead nowhere are left out. What hangs
-///            together with no side is joined to one by a straight cut, which divides cells that lie around it.
+///            the sides on which they lie of each other, close by. Ends that lead nowhere are left out. What
+///            does not hang together with the outer boundary is joined to it by a straight cut, which divides cells
+///            that lie around it.
 /// Exactness: exact; no number is rounded.
 class CurveMap {
  public:
