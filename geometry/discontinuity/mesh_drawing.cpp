@@ -1,23 +1,15 @@
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
-
 #include <algorithm>
 #include <map>
 #include <utility>
 
+#include "geometry/discontinuity/face_triangulation.h"
 #include "geometry/discontinuity/receiver_mesh_data.h"
 #include "geometry/numbers/rounding.h"
 
 namespace gnomon {
 namespace {
 
-using DrawingKernel = CGAL::Exact_predicates_exact_constructions_kernel;
-using DrawingVertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, DrawingKernel>;
-using DrawingFaceBase = CGAL::Constrained_triangulation_face_base_2<DrawingKernel>;
-using DrawingStructure = CGAL::Triangulation_data_structure_2<DrawingVertexBase, DrawingFaceBase>;
-using DrawingTriangulation =
-    CGAL::Constrained_Delaunay_triangulation_2<DrawingKernel, DrawingStructure, CGAL::No_constraint_intersection_tag>;
+using event::FaceTriangulation;
 
 /// How far an arc strays from its chord, between two values of the parameter: the height of the middle Bezier point
 /// times w / (1 + w). From exact differences in plain doubles, told a little larger than their rounding.
@@ -49,10 +41,10 @@ class FlatDrawing {
   bool has_crossing() const { return has_crossing_; }
 
   std::vector<ReceiverTriangle> triangles() {
-    DrawingTriangulation triangulation;
-    std::vector<DrawingTriangulation::Vertex_handle> handles;
+    FaceTriangulation triangulation;
+    std::vector<FaceTriangulation::Vertex_handle> handles;
     for (const event::FlatPoint& p : points_) {
-      handles.push_back(triangulation.insert(DrawingKernel::Point_2(DrawingKernel::FT(p.x), DrawingKernel::FT(p.y))));
+      handles.push_back(triangulation.insert(event::triangulation_point(p)));
       handles.back()->info() = static_cast<std::uint32_t>(handles.size() - 1);
     }
     // Straight edges first: chords that cross one are left out.
@@ -65,15 +57,15 @@ class FlatDrawing {
   }
 
  private:
-  void insert(const std::vector<std::uint32_t>& line, const std::vector<DrawingTriangulation::Vertex_handle>& handles,
-              DrawingTriangulation& triangulation) {
+  void insert(const std::vector<std::uint32_t>& line, const std::vector<FaceTriangulation::Vertex_handle>& handles,
+              FaceTriangulation& triangulation) {
     for (std::size_t k = 0; k + 1 < line.size(); ++k) {
       // Vertices that are told apart may be one to 2^-100.
       const auto from = handles[line[k]], to = handles[line[k + 1]];
       if (from == to) continue;
       try {
         triangulation.insert_constraint(from, to);
-      } catch (const DrawingTriangulation::Intersection_of_constraints_exception&) {
+      } catch (const FaceTriangulation::Intersection_of_constraints_exception&) {
         has_crossing_ = true;
       }
     }
@@ -110,7 +102,7 @@ class FlatDrawing {
     append_points(arc, middle, to, halvings + 1, line);
   }
 
-  std::vector<ReceiverTriangle> labelled(const DrawingTriangulation& triangulation) const {
+  std::vector<ReceiverTriangle> labelled(const FaceTriangulation& triangulation) const {
     std::map<std::pair<std::uint32_t, std::uint32_t>, Left> left;
     for (std::size_t e = 0; e < lines_.size(); ++e) {
       const MeshEdge& edge = data_.edges[e];
@@ -120,11 +112,12 @@ class FlatDrawing {
         left[{lines_[e][k + 1], lines_[e][k]}] = {edge.right, is_arc};
       }
     }
-    std::map<DrawingTriangulation::Face_handle, std::uint32_t> face_of;
+    std::map<FaceTriangulation::Face_handle, std::uint32_t> face_of;
     for (auto t = triangulation.finite_faces_begin(); t != triangulation.finite_faces_end(); ++t) {
       for (int i = 0; i < 3; ++i) {
-        const auto found = left.find(side(t, i));
-        if (found != left.end() && found->second.face != MeshEdge::nowhere) spread(t, found->second.face, face_of);
+        const auto found = left.find(event::side_of(t, i));
+        if (found != left.end() && found->second.face != MeshEdge::nowhere)
+          event::spread(t, found->second.face, face_of);
       }
     }
     std::vector<ReceiverTriangle> result;
@@ -133,30 +126,12 @@ class FlatDrawing {
       if (found == face_of.end()) continue;
       bool is_at_arc = false;
       for (int i = 0; i < 3; ++i) {
-        const auto at = left.find(side(t, i));
+        const auto at = left.find(event::side_of(t, i));
         is_at_arc = is_at_arc || (at != left.end() && at->second.is_arc);
       }
       result.push_back({{t->vertex(0)->info(), t->vertex(1)->info(), t->vertex(2)->info()}, found->second, is_at_arc});
     }
     return result;
-  }
-
-  static std::pair<std::uint32_t, std::uint32_t> side(DrawingTriangulation::Face_handle t, int i) {
-    return {t->vertex(DrawingTriangulation::ccw(i))->info(), t->vertex(DrawingTriangulation::cw(i))->info()};
-  }
-
-  /// Gives the triangles that no edge parts from this one the same face.
-  static void spread(DrawingTriangulation::Face_handle first, std::uint32_t face,
-                     std::map<DrawingTriangulation::Face_handle, std::uint32_t>& of) {
-    std::vector<DrawingTriangulation::Face_handle> stack{first};
-    while (!stack.empty()) {
-      const auto triangle = stack.back();
-      stack.pop_back();
-      if (!of.try_emplace(triangle, face).second) continue;
-      for (int i = 0; i < 3; ++i) {
-        if (!triangle->is_constrained(i)) stack.push_back(triangle->neighbor(i));
-      }
-    }
   }
 
   const ReceiverMesh::Data& data_;
