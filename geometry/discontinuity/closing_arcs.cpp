@@ -358,8 +358,8 @@ std::vector<conic::Range> common_ranges(std::span<const conic::Range> a, std::sp
 /// Traces triples on a receiver's plane.
 class TripleTracer {
  public:
-  TripleTracer(const std::vector<Outline>& edges, const ReceiverPlane& plane, Rational half_width, bool is_linear)
-      : edges_(edges), half_width_(std::move(half_width)), is_linear_(is_linear) {
+  TripleTracer(const std::vector<Outline>& edges, const ReceiverPlane& plane, Rational half_width)
+      : edges_(edges), half_width_(std::move(half_width)) {
     origin_ = plane.spatial(FlatPoint{0, 0});
     along_x_ = plane.spatial(FlatPoint{1, 0}) - origin_;
     along_y_ = plane.spatial(FlatPoint{0, 1}) - origin_;
@@ -423,15 +423,13 @@ class TripleTracer {
     found.push_back({{conic::straight_curve(both.start), Rational(-half_width_), half_width_}, name});
   }
 
-  /// Wedges have coplanar edges of area lights and those with a vertex in their common plane; the light and an edge in
-  /// one plane are in line where a vertex and an edge are.
+  /// The lines in the edges' common plane are traced with wedges (coplanar_pairs). Left are those through the point
+  /// where the two cross.
   void append_traces_of_coplanar(const Outline& i, const Outline& j, const Outline& other, std::uint32_t name,
                                  std::vector<conic::NamedArc>& found) const {
     const ExactVector &a = i.a.exact, &b = i.b.exact, &c = j.a.exact, &d = j.b.exact;
     // Share of the way from a to b at which j's line is met, by areas in the plane of the two.
     const ExactVector of_a = cross(c - a, d - a), of_b = cross(c - b, d - b);
-    if (is_zero(of_a) && is_zero(of_b)) return;  // on one line
-    if (is_linear_ && !i.is_of_light && !j.is_of_light) append_trace(trace(a, b, is_zero(of_a) ? d : c), name, found);
     if (is_zero(of_a) || is_zero(of_b) || dot(of_a, of_b) >= 0) return;
     const ExactVector difference = of_a - of_b;
     const Rational share = dot(of_a, difference) / dot(difference, difference);
@@ -442,7 +440,6 @@ class TripleTracer {
 
   const std::vector<Outline>& edges_;
   Rational half_width_;
-  bool is_linear_;
   ExactVector origin_, along_x_, along_y_;
 };
 
@@ -522,7 +519,7 @@ ClosingArcs closing_arcs(const EventScene& scene, std::span<const ShapeId> shape
   for (const FacePiece& piece : pieces) triangles.emplace_back(piece, plane);
   ClosingArcs found;
   if (triples.empty()) return found;
-  const TripleTracer tracer(outlines.edges, plane, half_width_of(triangles), is_linear);
+  const TripleTracer tracer(outlines.edges, plane, half_width_of(triangles));
   OpenLines open_lines(scene, shapes, plane, boxes_around(triangles));
   for (const EdgeTriple& triple : triples) {
     std::vector<conic::NamedArc> traced;

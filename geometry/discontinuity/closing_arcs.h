@@ -38,8 +38,8 @@ struct ClosingArcs {
 ///             determinant of the normals of their planes through p, a quadratic function of p, has Bernstein
 ///             coefficients of one sign; or no line meets all three between their ends above a point of the triangle.
 ///             More arcs than there are events do no harm: what is told apart by none is one region.
-/// Coplanar:   where two of the edges lie in one plane, the lines in that plane, and those through the point where the
-///             two meet inside of both, have straight traces, and these are given as far as no wedge has them.
+/// Coplanar:   where two of the edges lie in one plane, the lines in that plane are traced by wedges; those through the
+///             point where the two meet inside of both are given here, as straight traces.
 /// Exactness:  intervals, and exact arithmetic where these do not tell.
 ClosingArcs closing_arcs(const EventScene& scene, std::span<const ShapeId> shapes, std::span<const FacePiece> pieces,
                          const ReceiverPlane& plane);

@@ -114,5 +114,15 @@ TEST(TripleEdges, OfEdgesThatCrossBoundAnUmbraByStraightLines) {
   EXPECT_EQ(mesh.areas()[static_cast<std::size_t>(ReceiverRegion::umbra)].exact, "1/8");
 }
 
+/// No end of either edge is seen: from x > 0 light passes between the two, from x < 0 each hides what the other leaves.
+TEST(TripleEdges, OfTwoLongEdgesInOnePlaneBoundAnUmbraBelowATube) {
+  const KnownScene scene{LinearLight{{-1, 0, 4}, {1, 0, 4}},
+                         {flat({{0, -40, 1}, {0, 40, 1}, {-60, 0, 1}}), flat({{0, -40, 2}, {0, 40, 2.5}, {60, 0, 2}})},
+                         flat({{-0.25, -0.25, 0}, {0.25, -0.25, 0}, {0.25, 0.25, 0}, {-0.25, 0.25, 0}})};
+  const ReceiverMesh mesh = scene.mesh();
+  expect_all_resolved(mesh);
+  EXPECT_EQ(mesh.areas()[static_cast<std::size_t>(ReceiverRegion::umbra)].exact, "1/8");
+}
+
 }  // namespace
 }  // namespace gnomon
