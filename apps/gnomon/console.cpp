@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <iostream>
 #include <stdexcept>
@@ -44,6 +45,11 @@ std::string duration_text(double seconds) {
   if (seconds < 100 * 60) return std::to_string(std::lround(seconds / 60)) + " min";
   const long tenths = std::lround(std::min(seconds / 360, 1e6));
   return std::to_string(tenths / 10) + '.' + std::to_string(tenths % 10) + " h";
+}
+
+/// Past std::cerr, which would flush std::cout first: another thread writes there, and waits if nobody reads.
+void show(const std::string& line) {
+  std::fputs(line.c_str(), stderr);
 }
 
 }  // namespace
@@ -100,7 +106,7 @@ Progress::~Progress() {
   }
   has_ended_.notify_one();
   printer_.join();
-  std::cerr << "\r\033[K" << std::flush;
+  show("\r\033[K");
 }
 
 void Progress::print_until_the_end() {
@@ -114,7 +120,7 @@ void Progress::print_until_the_end() {
 
 void Progress::print() const {
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
-  std::cerr << '\r' + progress_text(task_, done_, total_, share_, passed.count()) + "\033[K" << std::flush;
+  show('\r' + progress_text(task_, done_, total_, share_, passed.count()) + "\033[K");
 }
 
 Progress::Visibility progress_visibility(bool quiet, bool results_on_stdout) {

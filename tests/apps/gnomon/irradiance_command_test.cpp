@@ -139,15 +139,21 @@ TEST_F(IrradianceOnAReceiver, WritesFilesAndJson) {
 }
 
 TEST_F(IrradianceOnAReceiver, CountsPointsOnATerminalUnlessTheRowsGoThereOrItIsToBeQuiet) {
-  const auto on_terminal = [&](const std::string& arguments) {
-    return shell("export GNOMON; script -qec '\"$GNOMON\" irradiance room.scene.json --on floor --shape 600,600 " +
-                 arguments + "' /dev/null")
-        .out;
+  // Whoever is at the other end of a pipe holds the program up until the line is there, or for a minute.
+  write("wait.sh", "for i in $(seq 600); do grep -q \"$1\" terminal && exit 0; sleep 0.1; done; exit 1\n");
+  const auto on_terminal = [&](const std::string& command) {
+    write("command.sh", command);
+    shell("export GNOMON; script -qfec 'sh command.sh' terminal > all.txt 2>&1");
+    return read("terminal");
   };
-  EXPECT_THAT(on_terminal("--out floor.csv"), HasSubstr(" of 360000, "));
-  EXPECT_THAT(on_terminal("> floor.csv"), HasSubstr(" of 360000, "));
-  EXPECT_THAT(on_terminal("--out floor.csv --quiet"), testing::Not(HasSubstr(" of 360000, ")));
-  EXPECT_THAT(on_terminal(""), testing::Not(HasSubstr(" of 360000, ")));
+  const std::string asked = "\"$GNOMON\" irradiance room.scene.json ";
+  EXPECT_THAT(on_terminal(asked + "--on floor --shape 60,60 | { sh wait.sh ' of 3600, '; cat > floor.csv; }"),
+              HasSubstr(" of 3600, "));
+  EXPECT_THAT(on_terminal("{ echo x,y,z,nx,ny,nz; sh wait.sh 'point 0'; } | " + asked + "--at - --out floor.csv"),
+              HasSubstr("point 0"));
+  EXPECT_THAT(on_terminal(asked + "--on floor --shape 600,600 --out floor.csv --quiet"),
+              testing::Not(HasSubstr(" of 360000, ")));
+  EXPECT_THAT(on_terminal(asked + "--on floor --shape 600,600"), testing::Not(HasSubstr(" of 360000, ")));
 }
 
 TEST_F(IrradianceOnAReceiver, RefusesUnknownReceiversAndMissingOrBadShapes) {
