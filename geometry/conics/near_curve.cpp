@@ -37,19 +37,6 @@ NearCurve::NearCurve(const FlatCurve& curve) {
   for (std::size_t k = 0; k < 6; ++k) form[k] = scaled(curve.form[k], most_of_form);
 }
 
-std::optional<NearPoint> NearCurve::points(const Interval& t) const {
-  // Around the middle, where powers of what is left are small.
-  const Interval m((t.inf() + t.sup()) / 2);
-  const Interval s = t - m;
-  std::array<Interval, 3> h;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto& c = point[k];
-    h[k] = c[0] + m * (c[1] + m * c[2]) + s * (c[1] + Interval(2) * m * c[2]) + s * s * c[2];
-  }
-  if (h[0].inf() <= 0 && h[0].sup() >= 0) return std::nullopt;
-  return NearPoint{h[1] / h[0], h[2] / h[0]};
-}
-
 namespace {
 
 /// The Bezier points between two parameters.

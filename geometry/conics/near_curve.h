@@ -3,7 +3,6 @@
 /// Curves in intervals: what these tell spares exact arithmetic. Private to geometry/.
 
 #include <array>
-#include <optional>
 
 #include "geometry/conics/flat_curve.h"
 
@@ -28,9 +27,6 @@ struct NearCurve {
   std::array<Interval, 6> form;                  ///< up to a positive factor
 
   explicit NearCurve(const FlatCurve& curve);
-
-  /// The points between two parameters; nothing if they may lie at infinity.
-  std::optional<NearPoint> points(const Interval& t) const;
 };
 
 /// Whether the points of the other curve on a range of its parameter certainly lie off this one.

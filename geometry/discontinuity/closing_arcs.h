@@ -13,10 +13,7 @@
 namespace gnomon::event {
 
 /// A triangle of a face whose corners lie on the face's boundary.
-struct FacePiece {
-  std::array<ExactVector, 3> corners;
-  std::array<bool, 3> is_border{};  ///< whether the side from each corner to the next lies on the boundary
-};
+using FacePiece = std::array<ExactVector, 3>;
 
 /// Arcs, each the trace of the lines that meet three edges.
 struct ClosingArcs {
@@ -33,11 +30,9 @@ struct ClosingArcs {
 ///             through q. Three of them do so that what they leave open has no direction in common, each of the light
 ///             or of a different blocker, crossing pairwise as seen from p: p lies on the trace of the lines that meet
 ///             these three. Under a linear light the part is a segment, and two edges of blockers close it.
-/// Left out:   what proves that three edges do so at no point of the face: over each triangle of it two of them do not
-///             cross; or one is no part of an outline; or what they leave open has a direction in common; or the
-///             determinant of the normals of their planes through p, a quadratic function of p, has Bernstein
-///             coefficients of one sign; or no line meets all three between their ends above a point of the triangle.
-///             More arcs than there are events do no harm: what is told apart by none is one region.
+/// Left out:   what closing_triples.h and open_lines.h know to close no gap, and what lies beyond one side of each
+///             triangle of the face. More arcs than there are events do no harm: what is told apart by none is one
+///             region.
 /// Coplanar:   where two of the edges lie in one plane, the lines in that plane are traced by wedges; those through the
 ///             point where the two meet inside of both are given here, as straight traces.
 /// Exactness:  intervals, and exact arithmetic where these do not tell.

@@ -36,6 +36,11 @@ PointEnclosure ReceiverPlane::spatial(const FlatEnclosure& point) const {
   return result;
 }
 
+bool ReceiverPlane::is_certainly_off(const PointEnclosure& point) const {
+  const Interval height = near_[0] * point.x + near_[1] * point.y + near_[2] * point.z + near_[3];
+  return height.inf() > 0 || height.sup() < 0;
+}
+
 FlatPoint ReceiverPlane::flat(const ExactVector& point) const {
   return {coordinate(point, u_), coordinate(point, v_)};
 }

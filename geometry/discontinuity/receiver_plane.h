@@ -31,6 +31,9 @@ class ReceiverPlane {
   /// The same of a point in a box. Requires: the rounding mode is protected.
   PointEnclosure spatial(const FlatEnclosure& point) const;
 
+  /// Whether a point somewhere in a box certainly lies off the plane. Requires: the rounding mode is protected.
+  bool is_certainly_off(const PointEnclosure& point) const;
+
   /// The square of a polygon's area divided by that of its flat image.
   Rational squared_stretch() const;
 

@@ -52,8 +52,7 @@ class HullTriangulation {
     event::FacePiece result;
     for (int i = 0; i < 3; ++i) {
       const auto k = static_cast<std::size_t>(i);
-      result.corners[k] = data_.plane.spatial(data_.point(triangle->vertex(i)->info()));
-      result.is_border[k] = triangle->is_constrained(event::FaceTriangulation::cw(i));
+      result.at(k) = data_.plane.spatial(data_.point(triangle->vertex(i)->info()));
     }
     return result;
   }

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "geometry/discontinuity/event_scene.h"
 #include "geometry/discontinuity/pencil.h"
 
 namespace gnomon::event {
