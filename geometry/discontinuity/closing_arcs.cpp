@@ -67,7 +67,7 @@ Rational half_width_of(const FaceBox& box) {
 class TripleTracer {
  public:
   TripleTracer(const std::vector<Outline>& edges, const OpenLines& open, const ReceiverPlane& plane, const FaceBox& box)
-      : edges_(edges), open_(open), plane_(plane), frame_(plane), box_(box), half_width_(half_width_of(box)) {
+      : edges_(edges), open_(open), plane_(plane), box_(box), half_width_(half_width_of(box)) {
     origin_ = plane.spatial(FlatPoint{0, 0});
     along_x_ = plane.spatial(FlatPoint{1, 0}) - origin_;
     along_y_ = plane.spatial(FlatPoint{0, 1}) - origin_;
@@ -118,7 +118,7 @@ class TripleTracer {
   }
 
   void append_arcs(const std::array<const Outline*, 3>& edges, std::vector<conic::FlatArc>& found) const {
-    const std::vector<NearRange> open = open_.ranges(RuledLines(edges, frame_), {0, 1});
+    const std::vector<NearRange> open = open_.ranges(edges);
     if (open.empty()) return;
     const Outline &base = *edges[0], &j = *edges[1], &k = *edges[2];
     const auto sides = [&](const Outline& edge, const ExactVector& x) -> std::array<Rational, 2> {
@@ -155,7 +155,7 @@ class TripleTracer {
     if (line[1] == 0 && line[2] == 0) return;
     conic::FlatCurve curve = conic::straight_curve(conic::line_pencil(line, line).start);
     const NearRange& range = curve.parameters.front().start[1] != 0 ? box_.x : box_.y;
-    for (const NearRange& r : open_.ranges(RuledLines({&other, &i, &j}, *parting, curve, frame_), range)) {
+    for (const NearRange& r : open_.ranges({&other, &i, &j}, *parting, curve, range)) {
       found.push_back({curve, Rational(r.from), Rational(r.to)});
     }
   }
@@ -163,7 +163,6 @@ class TripleTracer {
   const std::vector<Outline>& edges_;
   const OpenLines& open_;
   const ReceiverPlane& plane_;
-  NearFrame frame_;
   FaceBox box_;
   Rational half_width_;
   ExactVector origin_, along_x_, along_y_;
@@ -284,7 +283,7 @@ ClosingArcs closing_arcs(const EventScene& scene, std::span<const ShapeId> shape
   std::vector<FlatTriangle> triangles;
   for (const FacePiece& piece : pieces) triangles.emplace_back(piece, plane);
   const std::vector<FlatEnclosure> boxes = boxes_around(triangles);
-  const OpenLines open_lines(scene, shapes, boxes);
+  const OpenLines open_lines(scene, shapes, plane, boxes);
   const TripleTracer tracer(outlines.edges, open_lines, plane, box_around(boxes));
   for (const EdgeTriple& triple : triples) {
     std::vector<conic::FlatArc> traces = tracer.traces(triple);

@@ -32,6 +32,26 @@ enum class Crossing : std::int8_t { never = 2, unknown = 0, rising = 1, falling 
 /// The side of an edge that is hidden, as seen from the points of a face.
 enum class Hidden : std::int8_t { none = 2, unknown = 0, positive = 1, negative = -1 };
 
+/// A plane through three points with whole coordinates.
+class WholePlane {
+ public:
+  WholePlane(const Quadruple<Integer>& a, const Quadruple<Integer>& b, const Quadruple<Integer>& c) {
+    const auto vector = [](const Quadruple<Integer>& p) { return Vector3<Integer>{p[0], p[1], p[2]}; };
+    const Vector3<Integer> bc = cross(vector(b), vector(c));
+    normal_ = c[3] * cross(vector(a), vector(b)) + a[3] * bc + b[3] * cross(vector(c), vector(a));
+    offset_ = -dot(vector(a), bc);
+  }
+
+  /// Positive where the three run counterclockwise.
+  int side(const Quadruple<Integer>& p) const {
+    return Integer(normal_.x * p[0] + normal_.y * p[1] + normal_.z * p[2] + offset_ * p[3]).sign();
+  }
+
+ private:
+  Vector3<Integer> normal_;
+  Integer offset_;
+};
+
 /// A face and the edges that may matter to it.
 class EdgesOfFace {
  public:
@@ -43,7 +63,9 @@ class EdgesOfFace {
     normals_.reserve(edges_.size() * corners.size());
     for (const Outline& e : edges_) {
       for (const Place& p : corners) normals_.push_back(cross(e.a.near - p.near, e.b.near - p.near));
+      whole_ends_.push_back({whole_coordinates(e.a.exact), whole_coordinates(e.b.exact)});
     }
+    for (const Place& p : corners) whole_corners_.push_back(whole_coordinates(p.exact));
   }
 
   Crossing crossing(std::uint32_t i, std::uint32_t j) const {
@@ -88,8 +110,8 @@ class EdgesOfFace {
   /// The sides on which a point lies as seen from the corners; exact ones only where intervals do not tell enough.
   unsigned sides_of(std::uint32_t edge, const Place& x) const {
     unsigned sides = 0;
-    std::vector<std::size_t> unknown;
-    for (std::size_t k = 0; k < corners_.size() && sides != 3U; ++k) {
+    std::vector<std::uint32_t> unknown;
+    for (std::uint32_t k = 0; k < corners_.size() && sides != 3U; ++k) {
       const auto sign = certain_sign(dot(normals_[edge * corners_.size() + k], x.near - corners_[k].near));
       if (sign) {
         sides |= bit(*sign);
@@ -97,9 +119,9 @@ class EdgesOfFace {
         unknown.push_back(k);
       }
     }
-    for (std::size_t k = 0; k < unknown.size() && sides != 3U; ++k) {
-      sides |= bit(exact_side(edges_[edge], corners_[unknown[k]], x));
-    }
+    if (sides == 3U || unknown.empty()) return sides;
+    const WholePlane plane(whole_ends_[edge][0], whole_ends_[edge][1], whole_coordinates(x.exact));
+    for (const std::uint32_t k : unknown) sides |= bit(-plane.side(whole_corners_[k]));
     return sides;
   }
 
@@ -119,8 +141,10 @@ class EdgesOfFace {
   const NumberedOutlines& numbered_;
   const std::vector<Outline>& edges_;
   std::span<const Place> corners_;
-  mutable std::vector<std::uint8_t> known_sides_;  ///< edge by edge, of all ends
-  std::vector<NearVector> normals_;                ///< edge by edge, of its planes through the corners
+  std::vector<Quadruple<Integer>> whole_corners_;
+  std::vector<std::array<Quadruple<Integer>, 2>> whole_ends_;  ///< of edges
+  mutable std::vector<std::uint8_t> known_sides_;              ///< edge by edge, of all ends
+  std::vector<NearVector> normals_;                            ///< edge by edge, of its planes through the corners
 };
 
 /// Finds triples that cross pairwise, by ascending indices.

@@ -20,12 +20,11 @@ ExactReal exact_real(const Integer& integer) {
 
 /// A constructed point with whole numbers for coordinates.
 EventPoint event_point(const ExactVector& p) {
-  const Integer w = lcm(lcm(denominator(p.x), denominator(p.y)), denominator(p.z));
-  const auto scaled = [&](const Rational& x) -> Integer { return numerator(x) * (w / denominator(x)); };
+  const auto [x, y, z, w] = whole_coordinates(p);
   EventPoint point;
   point.kind = EventPoint::Kind::constructed;
   point.input = {nearest_double(p.x), nearest_double(p.y), nearest_double(p.z)};
-  point.exact = {exact_real(scaled(p.x)), exact_real(scaled(p.y)), exact_real(scaled(p.z)), exact_real(w)};
+  point.exact = {exact_real(x), exact_real(y), exact_real(z), exact_real(w)};
   return point;
 }
 

@@ -23,11 +23,12 @@ struct Signs {
 /// the plane through q and the other edge if q lies between the planes through that edge and either end.
 class EdgeEnds {
  public:
-  explicit EdgeEnds(const RuledLines& lines) {
-    if (!lines.is_share_of_base()) return;
-    const Outline &j = *lines.edges()[1], &k = *lines.edges()[2];
-    add(lines, j, k);
-    add(lines, k, j);
+  void add(const Outline& base, const Outline& edge, const Outline& other) {
+    for (const Place* end : {&edge.a, &edge.b}) {
+      const NearPlane plane = near_plane(other.a.near, other.b.near, end->near);
+      const Interval at_a = dot(plane.normal, base.a.near) + plane.offset;
+      ends_.push_back({at_a, dot(plane.normal, base.b.near) + plane.offset - at_a, Interval(0), Interval(0)});
+    }
   }
 
   bool are_missed(const Signs& sign) const {
@@ -38,12 +39,6 @@ class EdgeEnds {
   }
 
  private:
-  void add(const RuledLines& lines, const Outline& edge, const Outline& other) {
-    for (const Place* end : {&edge.a, &edge.b}) {
-      ends_.push_back(lines.height_of_base(near_plane(other.a.near, other.b.near, end->near)));
-    }
-  }
-
   std::vector<NearPolynomial> ends_;
 };
 
@@ -52,8 +47,8 @@ class EdgeEnds {
 /// Lines, and what is asked of them. R is the place on the light: q, or where a line meets the light's plane.
 class OpenLines::Question {
  public:
-  Question(const OpenLines& all, const RuledLines& lines, const EdgeEnds& ends)
-      : all_(all), lines_(lines), edge_ends_(ends), shapes_(all.shapes_.size()) {
+  Question(const OpenLines& all, const RuledLines& lines, EdgeEnds ends)
+      : all_(all), lines_(lines), edge_ends_(std::move(ends)), shapes_(all.shapes_.size()) {
     if (base().is_of_light) {
       light_weight_ = lines.base_weight();
     } else {
@@ -61,10 +56,11 @@ class OpenLines::Question {
       base_height_ = lines.height_of_base(all.light_plane_);
       light_weight_ =
           difference(product(point_height_, lines.base_weight()), product(lines.point_weight(), base_height_));
-      for (const NearLine& l : all.light_lines_) light_sides_.push_back(lines.side(l));
     }
-    for (std::size_t k = 0; k < 3; ++k) add_edge(*lines.edges()[k], edges_[k]);
-    for (std::size_t k = 0; k < 3; ++k) crossings_[k] = lines.crossing(edges_[k].line, edges_[(k + 1) % 3].line);
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (const NearPlane& face : edge(k).planes) faces_[k].push_back({lines.height_of_point(face), std::nullopt});
+      crossings_[k] = lines.crossing(edge(k).line, edge((k + 1) % 3).line);
+    }
   }
 
   std::vector<NearRange> ranges(const NearRange& all) {
@@ -101,24 +97,15 @@ class OpenLines::Question {
   static constexpr int most_halvings = 12;
   static constexpr int most_looks = 300;
 
+  /// Above a plane; that of R is made when it is asked for, as are sides: few lines come so far.
   struct Heights {
     NearPolynomial of_point;
-    NearPolynomial of_light;
-  };
-  struct SeenEdge {
-    NearLine line;
-    std::vector<Heights> hidden;  ///< of the planes of the faces at it
+    std::optional<NearPolynomial> of_light;
   };
   struct SeenShape {
     std::vector<NearPolynomial> sides;
     std::vector<Heights> heights;  ///< of its facets
   };
-
-  void add_edge(const Outline& edge, SeenEdge& own) {
-    own.line = near_line(edge.a.near, edge.b.near);
-    for (const Place& face : edge.hidden)
-      own.hidden.push_back(heights(near_plane(edge.a.near, edge.b.near, face.near)));
-  }
 
   /// A line in a plane through p and an edge with the shape on one side does not pass through it.
   bool is_own(const NearShape& shape) const {
@@ -127,21 +114,23 @@ class OpenLines::Question {
     });
   }
 
-  /// Made when it is asked for: few lines come so far.
-  const SeenShape& seen_shape(std::uint32_t k) {
+  SeenShape& seen_shape(std::uint32_t k) {
     if (shapes_[k]) return *shapes_[k];
     const NearShape& shape = all_.shapes_[k];
     SeenShape& own = shapes_[k].emplace();
     for (const NearLine& l : shape.lines) own.sides.push_back(lines_.side(l));
-    for (const Facet& f : shape.facets) own.heights.push_back(heights(f.plane));
+    for (const Facet& f : shape.facets) own.heights.push_back({lines_.height_of_point(f.plane), std::nullopt});
     return own;
   }
 
   /// With the heights h of p and q above the light's plane, R is h(p) q - h(q) p.
-  Heights heights(const NearPlane& plane) const {
-    const NearPolynomial at_p = lines_.height_of_point(plane), at_q = lines_.height_of_base(plane);
-    if (base().is_of_light) return {at_p, at_q};
-    return {at_p, difference(product(point_height_, at_q), product(at_p, base_height_))};
+  const NearPolynomial& height_of_light(Heights& heights, const NearPlane& plane) const {
+    if (!heights.of_light) {
+      const NearPolynomial at_q = lines_.height_of_base(plane);
+      heights.of_light =
+          base().is_of_light ? at_q : difference(product(point_height_, at_q), product(heights.of_point, base_height_));
+    }
+    return *heights.of_light;
   }
 
   /// What is known of all lines on a range. Leaves out shapes that none of them meets.
@@ -174,7 +163,11 @@ class OpenLines::Question {
   }
 
   /// The light's corners run counterclockwise seen from its front.
-  Known on_light(const Signs& sign, int /*weight*/) const {
+  Known on_light(const Signs& sign, int /*weight*/) {
+    if (base().is_of_light) return Known::open;
+    if (light_sides_.empty()) {
+      for (const NearLine& l : all_.light_lines_) light_sides_.push_back(lines_.side(l));
+    }
     bool is_left = false, is_right = false, is_known = true;
     for (const NearPolynomial& side : light_sides_) {
       const int at = sign(side);
@@ -186,12 +179,13 @@ class OpenLines::Question {
   }
 
   /// Each edge between p and R: the line meets the planes of the faces at it there, so p and R lie on both sides.
-  Known in_order(const Signs& sign, int weight) const {
+  Known in_order(const Signs& sign, int weight) {
     bool is_known = true;
     for (std::size_t k = 0; k < 3; ++k) {
-      if (lines_.edges()[k]->is_of_light) continue;
-      for (const Heights& h : edges_[k].hidden) {
-        const int sides = sign(h.of_point) * sign(h.of_light) * weight;
+      if (edge(k).is_of_light) continue;
+      for (std::size_t f = 0; f < faces_[k].size(); ++f) {
+        Heights& h = faces_[k][f];
+        const int sides = sign(h.of_point) * sign(height_of_light(h, edge(k).planes[f])) * weight;
         if (sides > 0) return Known::closed;
         is_known = is_known && sides != 0;
       }
@@ -206,7 +200,7 @@ class OpenLines::Question {
     std::array<int, 3> hidden{};
     for (std::size_t k = 0; k < 3; ++k) {
       bool is_positive = false, is_negative = false, is_flat = false;
-      for (const Heights& h : edges_[k].hidden) {
+      for (const Heights& h : faces_[k]) {
         const int at = sign(h.of_point);
         is_positive = is_positive || at > 0;
         is_negative = is_negative || at < 0;
@@ -239,7 +233,7 @@ class OpenLines::Question {
     return shapes.empty() ? Known::open : Known::perhaps;
   }
 
-  static Meeting meeting(const NearShape& shape, const SeenShape& seen, const Signs& sign, int weight) {
+  Meeting meeting(const NearShape& shape, SeenShape& seen, const Signs& sign, int weight) const {
     std::vector<int> sides;
     for (const NearPolynomial& side : seen.sides) sides.push_back(sign(side));
     Meeting most = Meeting::none;
@@ -252,7 +246,8 @@ class OpenLines::Question {
         is_known = is_known && at != 0;
       }
       if (is_left && is_right) continue;
-      const int heights = sign(seen.heights[f].of_point) * sign(seen.heights[f].of_light) * weight;
+      const int heights =
+          sign(seen.heights[f].of_point) * sign(height_of_light(seen.heights[f], shape.facets[f].plane)) * weight;
       if (heights > 0) continue;
       if (is_known && heights < 0) return Meeting::all;
       most = Meeting::perhaps;
@@ -260,7 +255,8 @@ class OpenLines::Question {
     return most;
   }
 
-  const Outline& base() const { return *lines_.edges()[0]; }
+  const Outline& edge(std::size_t k) const { return *lines_.edges()[k]; }
+  const Outline& base() const { return edge(0); }
 
   const OpenLines& all_;
   const RuledLines& lines_;
@@ -268,14 +264,15 @@ class OpenLines::Question {
   NearPolynomial base_height_{};
   NearPolynomial light_weight_{};
   std::vector<NearPolynomial> light_sides_;
-  const EdgeEnds& edge_ends_;
-  std::array<SeenEdge, 3> edges_;
+  EdgeEnds edge_ends_;
+  std::array<std::vector<Heights>, 3> faces_;  ///< at the edges
   std::array<NearPolynomial, 3> crossings_{};
   std::vector<std::optional<SeenShape>> shapes_;  ///< as all shapes are numbered
 };
 
-OpenLines::OpenLines(const EventScene& scene, std::span<const ShapeId> shapes, std::vector<FlatEnclosure> boxes)
-    : scene_(scene), boxes_(std::move(boxes)) {
+OpenLines::OpenLines(const EventScene& scene, std::span<const ShapeId> shapes, const ReceiverPlane& plane,
+                     std::vector<FlatEnclosure> boxes)
+    : scene_(scene), frame_(plane), boxes_(std::move(boxes)) {
   if (scene.kind == LightKind::area) {
     const auto& [a, b, c] = scene.light_plane;
     light_plane_ = near_plane(point(a), point(b), point(c));
@@ -287,12 +284,21 @@ OpenLines::OpenLines(const EventScene& scene, std::span<const ShapeId> shapes, s
   for (const ShapeId s : shapes) shapes_.push_back(near_shape(s));
 }
 
-std::vector<NearRange> OpenLines::ranges(const RuledLines& lines, const NearRange& all) const {
+std::vector<NearRange> OpenLines::ranges(const std::array<const Outline*, 3>& edges) const {
+  EdgeEnds ends;
+  ends.add(*edges[0], *edges[1], *edges[2]);
+  ends.add(*edges[0], *edges[2], *edges[1]);
+  if (ends.are_missed({Interval(0), Interval(1)})) return {};
+  const RuledLines lines(edges, frame_);
+  return Question(*this, lines, ends).ranges({0, 1});
+}
+
+std::vector<NearRange> OpenLines::ranges(const std::array<const Outline*, 3>& edges, const Outline& parting,
+                                         const conic::FlatCurve& line, const NearRange& range) const {
   // Where a linear light touches a blocker's edge, another blocker's edge may be the base.
-  if (scene_.kind != LightKind::area && !lines.edges()[0]->is_of_light) return {all};
-  const EdgeEnds ends(lines);
-  if (ends.are_missed({Interval(all.from), Interval(all.to)})) return {};
-  return Question(*this, lines, ends).ranges(all);
+  if (scene_.kind != LightKind::area && !edges[0]->is_of_light) return {range};
+  const RuledLines lines(edges, parting, line, frame_);
+  return Question(*this, lines, {}).ranges(range);
 }
 
 PointEnclosure OpenLines::point(PointId id) const {

@@ -29,9 +29,14 @@ struct NearRange {
 class OpenLines {
  public:
   /// Requires: the rounding mode is protected while it lives.
-  OpenLines(const EventScene& scene, std::span<const ShapeId> shapes, std::vector<FlatEnclosure> boxes);
+  OpenLines(const EventScene& scene, std::span<const ShapeId> shapes, const ReceiverPlane& plane,
+            std::vector<FlatEnclosure> boxes);
 
-  std::vector<NearRange> ranges(const RuledLines& lines, const NearRange& all) const;
+  /// Of three edges no two of which lie in one plane, as shares of the first of them.
+  std::vector<NearRange> ranges(const std::array<const Outline*, 3>& edges) const;
+  /// Of the last two of three edges where they cross, along a straight line; see RuledLines.
+  std::vector<NearRange> ranges(const std::array<const Outline*, 3>& edges, const Outline& parting,
+                                const conic::FlatCurve& line, const NearRange& range) const;
 
  private:
   class Question;
@@ -51,6 +56,7 @@ class OpenLines {
   NearShape near_shape(ShapeId shape) const;
 
   const EventScene& scene_;
+  NearFrame frame_;
   std::vector<FlatEnclosure> boxes_;
   NearPlane light_plane_;              ///< of an area light
   std::vector<NearLine> light_lines_;  ///< between its corners

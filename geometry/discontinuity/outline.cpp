@@ -13,8 +13,13 @@ Place::Place(ExactVector p) : exact(std::move(p)) {
   }
 }
 
-int exact_side(const Outline& edge, const Place& p, const Place& x) {
-  return dot(cross(edge.a.exact - p.exact, edge.b.exact - p.exact), x.exact - p.exact).sign();
+NearPlane near_plane(const NearVector& a, const NearVector& b, const NearVector& c) {
+  const NearVector normal = cross(b - a, c - a);
+  return {normal, -dot(normal, a)};
+}
+
+NearLine near_line(const NearVector& a, const NearVector& b) {
+  return {b - a, cross(a, b)};
 }
 
 bool belong_together(const Outline& p, const Outline& q) {
@@ -32,7 +37,7 @@ std::vector<Outline> outlines(const EventScene& scene, std::span<const ShapeId> 
   const std::size_t n = scene.light_edges.size();
   for (std::size_t k = 0; k < n; ++k) {
     const LightEdge& e = scene.light_edges[k];
-    Outline line{place(e.a), place(e.b), e.name, {e.a, e.b}, true, {}, {}};
+    Outline line{place(e.a), place(e.b), e.name, {e.a, e.b}, true, {}, {}, {}, {}};
     if (n > 2) {
       // What lies beyond the edge counts as hidden: the mirror image of what lies inside.
       const ExactVector inside = place(scene.light_edges[(k + 1) % n].b).exact;
@@ -41,7 +46,7 @@ std::vector<Outline> outlines(const EventScene& scene, std::span<const ShapeId> 
     found.push_back(std::move(line));
   }
   for (const LightEdge& e : scene.cut_edges) {
-    found.push_back({place(e.a), place(e.b), e.name, {e.a, e.b}, false, {}, {}});
+    found.push_back({place(e.a), place(e.b), e.name, {e.a, e.b}, false, {}, {}, {}, {}});
   }
   std::vector<EdgeId> ids;
   for (const ShapeId s : shapes) {
@@ -53,12 +58,16 @@ std::vector<Outline> outlines(const EventScene& scene, std::span<const ShapeId> 
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   for (const EdgeId id : ids) {
     const BlockerEdge& edge = scene.edges[id];
-    Outline line{place(edge.a), place(edge.b), edge.name, {edge.a, edge.b}, false, {}, {}};
+    Outline line{place(edge.a), place(edge.b), edge.name, {edge.a, edge.b}, false, {}, {}, {}, {}};
     for (const FaceAtEdge& f : edge.faces) {
       line.shapes.push_back(f.shape);
       line.hidden.push_back(place(f.third));
     }
     found.push_back(std::move(line));
+  }
+  for (Outline& o : found) {
+    o.line = near_line(o.a.near, o.b.near);
+    for (const Place& face : o.hidden) o.planes.push_back(near_plane(o.a.near, o.b.near, face.near));
   }
   return found;
 }

@@ -24,6 +24,22 @@ struct Place {
   explicit Place(ExactVector p);
 };
 
+/// A plane's normal and offset: positive in front.
+struct NearPlane {
+  NearVector normal{Interval(0), Interval(0), Interval(0)};
+  Interval offset = 0;
+};
+
+NearPlane near_plane(const NearVector& a, const NearVector& b, const NearVector& c);
+
+/// The line through two points: its direction and its moment about the origin, which are Pluecker's coordinates.
+struct NearLine {
+  NearVector direction{Interval(0), Interval(0), Interval(0)};
+  NearVector moment{Interval(0), Interval(0), Interval(0)};
+};
+
+NearLine near_line(const NearVector& a, const NearVector& b);
+
 /// An edge that may bound what is seen.
 struct Outline {
   Place a;
@@ -33,10 +49,9 @@ struct Outline {
   bool is_of_light = false;       ///< an edge of the light's own outline
   std::vector<ShapeId> shapes;    ///< whose edge it is
   std::vector<Place> hidden;      ///< a point of each face at the edge; of an area light a point beyond its edge
+  NearLine line;
+  std::vector<NearPlane> planes;  ///< through the edge and each of the points in `hidden`
 };
-
-/// Side of the plane through p and an edge on which a point lies, by rationals.
-int exact_side(const Outline& edge, const Place& p, const Place& x);
 
 /// True of two edges of the light, or of one blocker: what they leave open never shrinks to where they cross.
 bool belong_together(const Outline& p, const Outline& q);

@@ -38,15 +38,6 @@ std::array<Interval, 3> near_trace(const PointEnclosure& l, const Outline& edge,
 
 }  // namespace
 
-NearPlane near_plane(const PointEnclosure& a, const PointEnclosure& b, const PointEnclosure& c) {
-  const PointEnclosure normal = cross(b - a, c - a);
-  return {normal, -dot(normal, a)};
-}
-
-NearLine near_line(const PointEnclosure& a, const PointEnclosure& b) {
-  return {b - a, cross(a, b)};
-}
-
 int certain_sign(const NearPolynomial& f, const Interval& from, const Interval& to) {
   const Interval a = f[1] / Interval(3), b = f[2] / Interval(3);
   const Interval mixed = from * to, from2 = from * from, to2 = to * to;

@@ -11,22 +11,6 @@
 
 namespace gnomon::event {
 
-/// A plane's normal and offset: positive in front.
-struct NearPlane {
-  PointEnclosure normal{Interval(0), Interval(0), Interval(0)};
-  Interval offset = 0;
-};
-
-NearPlane near_plane(const PointEnclosure& a, const PointEnclosure& b, const PointEnclosure& c);
-
-/// The line through two points: its direction and its moment about the origin, which are Pluecker's coordinates.
-struct NearLine {
-  PointEnclosure direction{Interval(0), Interval(0), Interval(0)};
-  PointEnclosure moment{Interval(0), Interval(0), Interval(0)};
-};
-
-NearLine near_line(const PointEnclosure& a, const PointEnclosure& b);
-
 /// A polynomial of degree 3 at most, by powers of t. Requires of all functions: the rounding mode is protected.
 using NearPolynomial = std::array<Interval, 4>;
 

@@ -2,6 +2,12 @@
 
 namespace gnomon {
 
+Quadruple<Integer> whole_coordinates(const ExactVector& p) {
+  const Integer w = lcm(lcm(denominator(p.x), denominator(p.y)), denominator(p.z));
+  const auto whole = [&](const Rational& x) -> Integer { return numerator(x) * (w / denominator(x)); };
+  return {whole(p.x), whole(p.y), whole(p.z), w};
+}
+
 Rational ExactPlane::height(const ExactVector& p) const {
   return dot(normal, p) + offset;
 }

@@ -18,6 +18,9 @@ inline ExactVector exact(const Point3& p) {
   return {Rational(p.x), Rational(p.y), Rational(p.z)};
 }
 
+/// Whole numbers (x, y, z, w) in the proportion of (x, y, z, 1), w positive.
+Quadruple<Integer> whole_coordinates(const ExactVector& p);
+
 /// A plane, as the linear function that is zero on it.
 struct ExactPlane {
   ExactVector normal;
