@@ -3,7 +3,10 @@
 #include <vtkCellData.h>
 #include <vtkIntArray.h>
 #include <vtkPolyData.h>
+#include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "gnomon/names.h"
@@ -24,14 +27,17 @@ void append(std::vector<Point3>& points, const std::vector<Point3>& more) {
   points.insert(points.end(), more.begin(), more.end());
 }
 
-/// A polyhedron as VTK wants it: the number of faces, then each face with its number of points.
-void insert_polyhedron(vtkUnstructuredGrid& grid, const VolumeCells::Cell& cell, std::size_t first_point) {
-  std::vector<vtkIdType> stream;
+/// The tetrahedra over a convex cell's faces, with its first vertex as their apex. VTK leaves some out where it divides
+/// polyhedra by itself, and measures those too small.
+std::vector<std::array<std::size_t, 4>> tetrahedra(const VolumeCells::Cell& cell) {
+  std::vector<std::array<std::size_t, 4>> result;
+  const std::size_t apex = cell.faces.front().front();
   for (const VolumeCells::Face& face : cell.faces) {
-    stream.push_back(static_cast<vtkIdType>(face.size()));
-    for (const std::size_t vertex : face) stream.push_back(static_cast<vtkIdType>(first_point + vertex));
+    if (std::find(face.begin(), face.end(), apex) != face.end()) continue;
+    // A VTK_TETRA's first three points run counterclockwise seen from the fourth.
+    for (std::size_t k = 1; k + 1 < face.size(); ++k) result.push_back({face[0], face[k + 1], face[k], apex});
   }
-  grid.InsertNextCell(VTK_POLYHEDRON, static_cast<vtkIdType>(cell.faces.size()), stream.data());
+  return result;
 }
 
 void add_part_array(vtkDataSet& data, const std::vector<std::int32_t>& parts) {
@@ -93,9 +99,11 @@ vtkSmartPointer<vtkPointSet> ShadowSurface::data() const {
 
 void ShadowSolid::add(const VolumeCells& cells, const CellName& common) {
   for (const VolumeCells::Cell& cell : cells.cells) {
-    insert_polyhedron(*grid_, cell, points_.size());
-    names_.push_back(common);
-    parts_.push_back(part_count_);
+    for (const auto& corners : tetrahedra(cell)) {
+      insert_cell(*tetrahedra_, corners, static_cast<vtkIdType>(points_.size()));
+      names_.push_back(common);
+      parts_.push_back(part_count_);
+    }
   }
   append(points_, cells.vertices);
   ++part_count_;
@@ -103,8 +111,8 @@ void ShadowSolid::add(const VolumeCells& cells, const CellName& common) {
 
 vtkSmartPointer<vtkPointSet> ShadowSolid::data() const {
   auto data = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  data->ShallowCopy(grid_);
   data->SetPoints(vtk_points(points_));
+  data->SetCells(VTK_TETRA, tetrahedra_);
   add_cell_arrays(*data, names_);
   if (part_count_ > 1) add_part_array(*data, parts_);
   return data;

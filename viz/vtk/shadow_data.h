@@ -4,7 +4,6 @@
 #include <vtkNew.h>
 #include <vtkPointSet.h>
 #include <vtkSmartPointer.h>
-#include <vtkUnstructuredGrid.h>
 
 #include <cstdint>
 #include <string_view>
@@ -40,14 +39,14 @@ class ShadowSurface {
   std::int32_t part_count_ = 0;
 };
 
-/// Convex cells of volumes, likewise.
+/// Tetrahedra that fill volumes, likewise.
 class ShadowSolid {
  public:
   void add(const VolumeCells& cells, const CellName& common);
   vtkSmartPointer<vtkPointSet> data() const;
 
  private:
-  vtkNew<vtkUnstructuredGrid> grid_;
+  vtkNew<vtkCellArray> tetrahedra_;
   std::vector<Point3> points_;
   std::vector<CellName> names_;
   std::vector<std::int32_t> parts_;

@@ -100,10 +100,10 @@ double enclosed_volume(vtkPointSet& triangles) {
   return sum / 6;
 }
 
-double polyhedra_volume(vtkPointSet& polyhedra) {
+double filled_volume(vtkPointSet& cells) {
   double sum = 0;
-  for (vtkIdType i = 0; i < polyhedra.GetNumberOfCells(); ++i) {
-    vtkCell* cell = polyhedra.GetCell(i);
+  for (vtkIdType i = 0; i < cells.GetNumberOfCells(); ++i) {
+    vtkCell* cell = cells.GetCell(i);
     for (int k = 0; k < cell->GetNumberOfFaces(); ++k) sum += fan_determinant(*cell->GetFace(k)->GetPoints());
   }
   return sum / 6;

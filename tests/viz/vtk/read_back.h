@@ -34,8 +34,8 @@ std::string field_text(vtkFieldData* fields, const std::string& name);
 /// The volume inside a closed triangle surface, positive where its normals point outward.
 double enclosed_volume(vtkPointSet& triangles);
 
-/// The volume of all polyhedra, positive where their faces run counterclockwise seen from outside.
-double polyhedra_volume(vtkPointSet& polyhedra);
+/// The volume of all cells, positive where their faces run counterclockwise seen from outside.
+double filled_volume(vtkPointSet& cells);
 
 /// True if every directed edge of the triangles occurs once and its opposite too.
 bool is_closed_surface(vtkPointSet& triangles);
