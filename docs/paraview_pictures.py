@@ -10,6 +10,11 @@ import sys
 
 from paraview import simple
 
+if not os.environ.get("DISPLAY"):
+    # ParaView ends with a stack trace where it finds no display.
+    raise SystemExit("paraview_pictures.py: ParaView draws on a display and DISPLAY is not set; without a screen run "
+                     "`xvfb-run -a -s -noreset pvbatch paraview_pictures.py` (Debian packages xvfb and xauth)")
+
 EDGE = [0.12, 0.12, 0.14]
 RECEIVER = [0.82, 0.82, 0.83]
 FRACTION = [0.0, 0.07, 0.22, 0.42, 0.5, 0.47, 0.71, 0.89, 1.0, 1.0, 0.97, 0.86]

@@ -66,10 +66,11 @@ TextRow element_row(const RecognisedElement& element) {
   TextRow row{element.name, element.shape, counts};
   if (element.two_sided) row.back() += *element.two_sided ? ", two-sided" : ", one-sided";
   if (element.strength) {
+    // The last column is broken between words where it is too wide; numbers elsewhere might lose digits.
     row.push_back(element.strength->quantity + ' ' + rounded_text(element.strength->value) + ' ' +
                   element.strength->unit);
+    if (element.flux) row.back() += ", flux " + rounded_text(*element.flux) + " W";
   }
-  if (element.flux) row.push_back("flux " + rounded_text(*element.flux) + " W");
   return row;
 }
 

@@ -32,23 +32,32 @@ fs::path example_folder() {
   return folder;
 }
 
-/// The examples as they are asked for: scenes by their names, other files by theirs with ending.
+/// The examples as they are asked for: scenes by their names, other files by theirs with ending; those of folders after
+/// all others, as FOLDER/NAME.
 std::vector<std::string> example_names(const fs::path& folder) {
   std::vector<std::string> names;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    std::string name = entry.path().filename().string();
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    std::string name = entry.path().lexically_relative(folder).string();
     if (name.ends_with(scene_ending)) name.resize(name.size() - scene_ending.size());
     if (entry.is_regular_file() && entry.path().extension() != ".license") names.push_back(std::move(name));
   }
-  std::sort(names.begin(), names.end());
+  const auto is_in_folder = [](const std::string& name) { return name.find('/') != std::string::npos; };
+  std::sort(names.begin(), names.end(), [&](const std::string& a, const std::string& b) {
+    return std::pair(is_in_folder(a), a) < std::pair(is_in_folder(b), b);
+  });
   return names;
 }
 
+/// An example's name without its folder will do.
 std::string file_of(const std::string& name, const fs::path& folder) {
   const std::vector<std::string> names = example_names(folder);
   const bool is_written_out = name.ends_with(scene_ending);
-  const std::string wanted = is_written_out ? name.substr(0, name.size() - scene_ending.size()) : name;
-  if (std::find(names.begin(), names.end(), wanted) == names.end()) {
+  std::string wanted = is_written_out ? name.substr(0, name.size() - scene_ending.size()) : name;
+  const auto is_wanted = [&](const std::string& n) { return n == wanted || n.ends_with('/' + wanted); };
+  const auto found = std::find_if(names.begin(), names.end(), is_wanted);
+  if (found != names.end()) {
+    wanted = *found;
+  } else {
     const std::vector<std::string_view> words(names.begin(), names.end());
     throw UsageError("there is no example '" + name + "'" + nearest_text(wanted, words) +
                      "; 'gnomon example' lists them all");
@@ -69,7 +78,10 @@ std::vector<std::string> needed_files(const std::string& file, const fs::path& f
   const auto* space = std::get_if<SpaceScene>(&scene);
   if (!space) return files;
   for (const SceneBlocker& blocker : space->blockers) {
-    if (const auto* mesh = std::get_if<Mesh>(&blocker.shape)) files.push_back(mesh->file);
+    const auto* mesh = std::get_if<Mesh>(&blocker.shape);
+    if (mesh == nullptr) continue;
+    const std::string needed = (fs::path(file).parent_path() / mesh->file).string();
+    if (std::find(files.begin(), files.end(), needed) == files.end()) files.push_back(needed);
   }
   return files;
 }
@@ -85,7 +97,7 @@ void print_list(const fs::path& folder) {
   for (const std::string& name : example_names(folder)) {
     const std::string file = file_of(name, folder);
     if (!is_scene(file)) {
-      rows.push_back({name, "a file that examples use"});
+      if (name.find('/') == std::string::npos) rows.push_back({name, "a file that examples use"});
       continue;
     }
     const Scene scene = read_scene(folder / file);
@@ -108,14 +120,17 @@ void copy_example(const fs::path& source, const fs::path& target) {
 
 void copy_examples(const std::vector<std::string>& files, const fs::path& from, const fs::path& to) {
   fs::create_directories(to);
-  for (const std::string& file : files) copy_example(from / file, to / file);
-  for (const std::string& file : files) std::cout << "written    " << shell_word((to / file).string()) << '\n';
+  const auto place = [&](const std::string& file) { return to / fs::path(file).filename(); };
+  for (const std::string& file : files) copy_example(from / file, place(file));
+  for (const std::string& file : files) std::cout << "written    " << shell_word(place(file).string()) << '\n';
 }
 
 void print_example(const std::string& name, const std::vector<std::string>& files, const fs::path& folder) {
   std::cout << contents_of(folder / files.front());
   if (files.size() == 1) return;
-  print_warning(name + " needs " + files[1] + " beside it; 'gnomon example " + name + " --out DIR' copies both");
+  const std::string needed = fs::path(files[1]).filename().string();
+  const std::string more = files.size() == 2 ? needed : needed + " and " + counted(files.size() - 2, "more file");
+  print_warning(name + " needs " + more + " beside it; 'gnomon example " + name + " --out DIR' copies all");
 }
 
 }  // namespace

@@ -121,10 +121,13 @@ std::string image_text(const image::ShadedImage& picture, const ImageStory& stor
   const std::size_t unbounded = unbounded_pixels(picture);
   const std::string off =
       story.lights == "exact" ? "no pixel off by more than " : "no pixel off from its point lights by more than ";
+  const std::string rounding = story.file.ends_with(".pfm")   ? "; the file rounds them to 32-bit floats"
+                               : story.file.ends_with(".png") ? "; the file rounds them to 8 bits a colour"
+                                                              : "";
   return in_columns(story.file + ": " + std::to_string(picture.width) + " x " + std::to_string(picture.height) +
                     " pixels in " + rounded_text(story.seconds) + " s, exposure " + rounded_text(story.exposure) +
                     ", " + off + rounded_text(worst_bound(picture)) + " W/(m^2 sr)" +
-                    (unbounded == 0 ? "" : " but " + counted(unbounded, "pixel") + " without a bound"));
+                    (unbounded == 0 ? "" : " but " + counted(unbounded, "pixel") + " without a bound") + rounding);
 }
 
 }  // namespace gnomon

@@ -60,8 +60,9 @@ void add_options(CommandLine& app, IrradianceOptions& options) {
   add_threads_option(app, options);
   add_quiet_option(app, options);
   app.footer(
-      "Each row of the result is a row of the input, or x,y,z,nx,ny,nz of a point on the receiver, followed by\n"
-      "light,irradiance,error_bound. Irradiance is in W/m^2 whatever the scene's unit of length, and clipped by the\n"
+      "Each row of the result is a row of the input, or x,y,z,nx,ny,nz of a point on the receiver (and facet, where\n"
+      "it has several facets or sides), followed by light,irradiance,error_bound. Irradiance is in W/m^2 whatever the "
+      "scene's unit of length, and clipped by the\n"
       "receiver's horizon; |irradiance - exact| is at most error_bound. It is positive exactly where gnomon regions\n"
       "tells lit or penumbra. A facet right under a point, up to rounding, does not hide the light from it. With\n"
       "--out FILE, and in the JSON, mean over the points, least and largest irradiance are told, too. A malformed line "

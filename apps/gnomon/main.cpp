@@ -29,7 +29,7 @@ constexpr std::array proof_commands{
 
 constexpr ProgramText program{
     "gnomon",
-    "gnomon computes exact shadow volumes of lights behind convex blockers, and hands them to ParaView.",
+    "gnomon computes exact shadow volumes of lights behind blockers, and hands them to ParaView.",
     commands,
     "Commands that gnomon-proof runs, a program that is installed by itself",
     proof_commands,

@@ -59,7 +59,8 @@ void add_options(CommandLine& app, RenderOptions& options) {
   app.footer(
       "A picture shows one light, the first unless --light names another; on a page all can be chosen. Receivers have\n"
       "the colours of the exact regions behind all blockers together; --blocker chooses volumes alone. Volumes are\n"
-      "drawn as far as a receiver that has all of the scene on one side, a floor, whatever --box says beyond it.\n"
+      "drawn as far as a receiver that has all of the scene on one side, a floor, whatever --box says beyond it;\n"
+      "a model (.gltf, in metres and with y up, as glTF wants it) has all that 'gnomon shadow' writes, up to the box.\n"
       "A page (.html) needs no network: it carries three.js, which is read from Debian's package libjs-three.\n"
       "A PNG without a display starts a virtual one (Debian packages xvfb and libgl1-mesa-dri).\n\n"
       "Examples:\n"

@@ -69,7 +69,8 @@ std::vector<ConvexPolygon> receivers_of(const DivisionPlan& plan) {
 
 DivisionPlan division_plan(const Scene& scene, const ReceiverSelection& selection, DivisionOf subject) {
   const auto* space = std::get_if<SpaceScene>(&scene);
-  if (!space) throw UnsupportedError("discontinuities on receivers need a scene of dimension 3");
+  if (!space)
+    throw UnsupportedError(facts(scene).source + ": discontinuities on receivers need a scene of dimension 3");
   DivisionPlan plan{&scene, space, scene_bodies(*space), {}, {}, {}, {}};
   if (subject == DivisionOf::receivers) plan.refusal = range_refusal(*space);
   const std::string lights_left_out = choose_lights(plan, selection.light);

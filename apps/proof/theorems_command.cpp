@@ -41,7 +41,9 @@ void add_options(CommandLine& app, TheoremsOptions& options) {
   add_text(app, "--out", options.out, "DIR", "Write counterexamples as scenes, points and pictures into this folder");
   add_json_option(app, options);
   add_text(app, "--mutant", options.mutant, "NAME", "Try the statements on a program with this mistake");
-  app.add_flag("--mutants", options.mutants, "Print which statement catches which mistake, within 1,000 cases");
+  app.add_flag("--mutants", options.mutants,
+               "Print which statement catches which mistake, within 1,000 random cases or 1,000 nearly degenerate ones "
+               "after them");
   add_threads_option(app, options);
   add_quiet_option(app, options);
   app.footer(

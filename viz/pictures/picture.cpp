@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 
 #include "gnomon/errors.h"
 #include "viz/pictures/html_page.h"
@@ -13,6 +14,7 @@
 #include "viz/vtk/manifest.h"
 #include "viz/vtk/staged_folder.h"
 #include "viz/vtk/surface_files.h"
+#include "viz/vtk/vtk_cells.h"
 
 namespace gnomon {
 namespace {
@@ -54,16 +56,44 @@ std::string html_text(const viz::PictureSource& source, const PictureOptions& op
 std::string gltf_text(const viz::PictureSource& source) {
   std::vector<viz::Block> blocks;
   for (const viz::PictureBlock& block : source.blocks) blocks.push_back({block.path, block.kind, {}, block.data});
-  return viz::gltf_text(blocks, source.clip_box);
+  return viz::gltf_text(blocks, viz::model_frame(source.clip_box, source.dimension, source.up, source.length_unit));
 }
 
-void draw(viz::PictureSource source, const fs::path& file, const PictureOptions& options) {
+/// A scene so small or so large that floats and what draws them lose it, made larger or smaller by a power of two.
+void bring_into_range(viz::PictureSource& source, PictureOptions& options) {
+  const Box3& box = source.clip_box;
+  const double size = std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z});
+  if (!(size > 0) || (size > 0x1p-16 && size < 0x1p24)) return;
+  const double scale = std::exp2(-std::ilogb(size));
+  const auto scaled = [&](const Point3& p) { return Point3{scale * p.x, scale * p.y, scale * p.z}; };
+  source.clip_box = {scaled(box.min), scaled(box.max)};
+  for (viz::PictureBlock& block : source.blocks) {
+    std::vector<Point3> points;
+    for (vtkIdType i = 0; i < block.data->GetNumberOfPoints(); ++i) {
+      double p[3];
+      block.data->GetPoint(i, p);
+      points.push_back(scaled({p[0], p[1], p[2]}));
+    }
+    // The block may be shared with the result.
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    data->ShallowCopy(block.data);
+    data->SetPoints(viz::vtk_points(points));
+    block.data = data;
+  }
+  if (auto* camera = std::get_if<CameraPlace>(&options.camera)) {
+    camera->position = scaled(camera->position);
+    if (camera->focus) camera->focus = scaled(*camera->focus);
+  }
+}
+
+void draw(viz::PictureSource source, const fs::path& file, PictureOptions options) {
   const PictureFormat format = *picture_format(file);
   using enum viz::LightsShown;
   source = selected(std::move(source), options.selection, format == PictureFormat::html ? all_in_turn : first);
   if (options.up) source.up = *options.up;
   if (format == PictureFormat::svg && source.dimension != 2)
     throw PreconditionError("picture: SVG of a scene in space");
+  if (format != PictureFormat::gltf) bring_into_range(source, options);
   viz::StagedFolder folder(file.parent_path());
   const std::string name = file.filename().string();
   switch (format) {

@@ -25,6 +25,7 @@ struct PictureSource {
   bool complete = true;  ///< false if the shadows of some pairs are not known
   int dimension = 3;
   UpAxis up = UpAxis::z;
+  std::string length_unit = "m";
   Box3 clip_box;
   std::vector<PictureBlock> blocks;
   std::vector<std::string> lights = {};  ///< those that are shown, one at a time; set by `selected`

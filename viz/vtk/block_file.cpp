@@ -10,6 +10,7 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
+#include <vtkXMLUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
 #include <algorithm>
@@ -82,23 +83,41 @@ void write_data(vtkPointSet& data, const StagedFile& file) {
   }
 }
 
-vtkSmartPointer<vtkPolyData> read_surface(const std::filesystem::path& file) {
-  const std::string start = "cannot read " + file.string() + ": ";
+namespace {
+
+std::string failure_to_read(const std::filesystem::path& file) {
+  return "cannot read " + file.string() + ": ";
+}
+
+template <class Data, class Reader>
+vtkSmartPointer<Data> read_block(const std::filesystem::path& file) {
+  const std::string start = failure_to_read(file);
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(file, ignored))) {
     throw ResultError(start + "there is no regular file");
   }
   const QuietVtk quiet;
-  vtkNew<vtkXMLPolyDataReader> reader;
+  vtkNew<Reader> reader;
   reader->SetFileName(file.c_str());
   reader->Update();
   if (reader->GetErrorCode() != vtkErrorCode::NoError || !quiet.words().empty()) {
     throw ResultError(start + quiet.words());
   }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
+  auto data = vtkSmartPointer<Data>::New();
   data->ShallowCopy(reader->GetOutput());
-  if (const std::string defect = defect_of(*data); !defect.empty()) throw ResultError(start + defect);
   return data;
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkPolyData> read_surface(const std::filesystem::path& file) {
+  auto data = read_block<vtkPolyData, vtkXMLPolyDataReader>(file);
+  if (const std::string defect = defect_of(*data); !defect.empty()) throw ResultError(failure_to_read(file) + defect);
+  return data;
+}
+
+vtkSmartPointer<vtkPointSet> read_solid(const std::filesystem::path& file) {
+  return read_block<vtkUnstructuredGrid, vtkXMLUnstructuredGridReader>(file);
 }
 
 }  // namespace gnomon::viz

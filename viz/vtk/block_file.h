@@ -23,4 +23,7 @@ void write_data(vtkPointSet& data, const StagedFile& file);
 /// Throws: ResultError naming the file.
 vtkSmartPointer<vtkPolyData> read_surface(const std::filesystem::path& file);
 
+/// Reads a .vtu file, to be asked for its fields alone: its cells may be wrong. Throws: as read_surface.
+vtkSmartPointer<vtkPointSet> read_solid(const std::filesystem::path& file);
+
 }  // namespace gnomon::viz

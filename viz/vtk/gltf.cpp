@@ -179,6 +179,17 @@ Json block_primitives(Document& document, const Block& block, vtkPolyData& surfa
   return primitives(document, surface, centre, material_named(material));
 }
 
+/// Turns a quarter about x what has z up, and makes metres.
+Json root_node(const Point3& centre, const ModelFrame& frame) {
+  const double s = frame.metres, half = std::sqrt(0.5);
+  const Point3 place = frame.is_z_up ? Point3{centre.x, centre.z, -centre.y} : centre;
+  Json node = {{"name", "shadow"}, {"translation", {s * place.x, s * place.y, s * place.z}}};
+  if (frame.is_z_up) node["rotation"] = {-half, 0.0, 0.0, half};
+  if (s != 1) node["scale"] = {s, s, s};
+  node["children"] = Json::array();
+  return node;
+}
+
 std::string data_uri(const std::vector<unsigned char>& bytes) {
   std::string encoded(4 * ((bytes.size() + 2) / 3) + 4, '\0');
   encoded.resize(
@@ -188,11 +199,17 @@ std::string data_uri(const std::vector<unsigned char>& bytes) {
 
 }  // namespace
 
-std::string gltf_text(std::span<const Block> blocks, const Box3& clip_box) {
+ModelFrame model_frame(const Box3& clip_box, int dimension, UpAxis up, const std::string& length_unit) {
+  const auto unit = length_unit_named(length_unit);
+  return {clip_box, dimension == 3 && up == UpAxis::z, unit ? unit->top / unit->bottom : 1};
+}
+
+std::string gltf_text(std::span<const Block> blocks, const ModelFrame& frame) {
+  const Box3& clip_box = frame.clip_box;
   const Point3 centre{std::midpoint(clip_box.min.x, clip_box.max.x), std::midpoint(clip_box.min.y, clip_box.max.y),
                       std::midpoint(clip_box.min.z, clip_box.max.z)};
   Document document;
-  Json nodes = {{{"name", "shadow"}, {"translation", {centre.x, centre.y, centre.z}}, {"children", Json::array()}}};
+  Json nodes = Json::array({root_node(centre, frame)});
   Json meshes = Json::array();
   for (const Block& block : blocks) {
     vtkPolyData* surface = vtkPolyData::SafeDownCast(block.data);

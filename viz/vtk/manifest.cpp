@@ -226,6 +226,9 @@ ListedResult read_manifest(const std::filesystem::path& directory) {
     result.dimension = json.at("dimension");
     if (result.dimension != 2 && result.dimension != 3) throw ResultError(dimension_problem(file, result.dimension));
     result.up = json.value("up", "z") == "y" ? UpAxis::y : UpAxis::z;
+    if (const auto unit = json.at("field_data").find("length_unit"); unit != json.at("field_data").end()) {
+      result.length_unit = unit->at(0);
+    }
     result.clip_box = box_of(json.at("field_data").at("clip_box"), file);
     for (const Json& pair : json.at("pairs")) result.complete = result.complete && pair.at("supported").get<bool>();
     for (const Json& block : json.at("blocks")) result.blocks.push_back(listed_block(block));

@@ -52,6 +52,7 @@ struct ListedResult {
   std::string scene;
   int dimension = 3;
   UpAxis up = UpAxis::z;
+  std::string length_unit = "m";
   Box3 clip_box;
   bool complete = true;  ///< every pair is supported
   std::vector<ListedBlock> blocks;

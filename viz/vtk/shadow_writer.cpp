@@ -60,6 +60,12 @@ std::vector<viz::TreeLeaf> tree_leaves(const Writing& writing) {
   return leaves;
 }
 
+viz::ModelFrame model_frame_of(const ShadowResult& result) {
+  const auto* space = std::get_if<SpaceScene>(result.scene);
+  return viz::model_frame(result.clip_box, dimension(*result.scene), space ? space->up : UpAxis::z,
+                          facts(*result.scene).length_unit);
+}
+
 void write_root(Writing& writing, OutputFormat format) {
   if (format == OutputFormat::stl) return;
   const std::string file = "shadow." + std::string(name(format));
@@ -75,7 +81,7 @@ void write_root(Writing& writing, OutputFormat format) {
     case OutputFormat::obj:
       return writing.folder.add_text(file, viz::obj_text(writing.blocks));
     case OutputFormat::gltf:
-      return writing.folder.add_text(file, viz::gltf_text(writing.blocks, writing.result.clip_box));
+      return writing.folder.add_text(file, viz::gltf_text(writing.blocks, model_frame_of(writing.result)));
     case OutputFormat::stl:
       return;
   }

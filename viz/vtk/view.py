@@ -95,6 +95,13 @@ def generations_of(reader):
     return found
 
 
+def check_files(folder, manifest):
+    """ParaView leaves out what is missing, and goes on."""
+    for block in manifest["blocks"]:
+        if block["file"] and not os.path.exists(os.path.join(folder, block["file"])):
+            end(f"{block['file']} is missing; let gnomon write the folder again")
+
+
 def check_generations(reader, manifest):
     """manifest.json takes its place last: leaves of another run are what a run that was stopped has left."""
     if "generation" in manifest:
@@ -395,8 +402,11 @@ def show_plane(result, box):
     return names
 
 
+PICTURE_ENDINGS = (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".ppm")
+
+
 def save_picture(path, view):
-    """ParaView tells a wrong reason where a folder is missing, and goes on."""
+    """ParaView tells a wrong reason where a folder is missing, or none, and goes on."""
     try:
         os.makedirs(os.path.dirname(os.path.abspath(path)), exist_ok=True)
         open(path, "ab").close()
@@ -409,10 +419,13 @@ def main(arguments):
     parser = argparse.ArgumentParser(prog="view.py", description="shows the result beside this file")
     parser.add_argument("--screenshot", metavar="FILE.png", help="write a picture and end")
     options = parser.parse_args(arguments)
+    if options.screenshot and not options.screenshot.lower().endswith(PICTURE_ENDINGS):
+        end(f"{options.screenshot}: expected a picture's ending, one of {', '.join(PICTURE_ENDINGS)}")
 
     folder = this_folder()
     manifest = read_manifest(folder)
     file = root_file(folder, manifest)
+    check_files(folder, manifest)
     reader = simple.OpenDataFile(file, registrationName=os.path.basename(file))
     check_generations(reader, manifest)
     view = new_view(manifest["palette"]["edge"])

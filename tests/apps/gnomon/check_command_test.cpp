@@ -37,6 +37,18 @@ TEST_F(CheckCommand, TellsTheFluxOfEveryLightThatHasOne) {
   EXPECT_FALSE(lights[1].contains("flux"));
 }
 
+TEST_F(CheckCommand, NeverShortensAStrength) {
+  write("named.scene.json", R"({"gnomon": 1, "dimension": 3, "blockers": [], "lights": [
+    {"name": "lamp of the hall with a long name", "shape": "polygon", "radiance": 2.5,
+     "vertices": [[0,0,0], [1,0,0], [1,1,0], [0,1,0]]}]})");
+  std::string all = gnomon("check named.scene.json").out;
+  for (const std::string& line : lines(all)) EXPECT_LE(line.size(), 80U) << line;
+  std::erase(all, '\n');
+  const auto is_doubled_blank = [](char a, char b) { return a == ' ' && b == ' '; };
+  all.erase(std::unique(all.begin(), all.end(), is_doubled_blank), all.end());
+  EXPECT_THAT(all, HasSubstr("radiance 2.5 W/(m^2 sr), flux 7.85398 W"));
+}
+
 TEST_F(CheckCommand, PrintsEveryPairWithItsPositionOrTheReason) {
   EXPECT_THAT(gnomon("check mixed.scene.json").out,
               AllOf(HasSubstr("6 of 6 supported"), HasSubstr("standard"), HasSubstr("light_crosses_blocker_plane"),

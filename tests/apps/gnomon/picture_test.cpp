@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "tests/apps/gnomon/program_fixture.h"
@@ -40,6 +42,32 @@ TEST_F(RenderedPicture, IsMadeOfAScene) {
 TEST_F(RenderedPicture, HasTheSizeAskedFor) {
   EXPECT_EQ(gnomon("render table.scene.json --out table.png --size 320x200").code, 0);
   EXPECT_EQ(size_of("table.png"), "320x200");
+}
+
+TEST_F(RenderedPicture, IsTheSameOfAScaledScene) {
+  const auto scene = [](int exponent) {
+    const auto corner = [&](double x, double y, double z) {
+      std::string text;
+      for (const double c : {x, y, z})
+        text += (text.empty() ? "[" : ",") + nlohmann::json(std::ldexp(c, exponent)).dump();
+      return text + "]";
+    };
+    const auto square = [&](double half, double z) {
+      return "[" + corner(-half, -half, z) + "," + corner(half, -half, z) + "," + corner(half, half, z) + "," +
+             corner(-half, half, z) + "]";
+    };
+    const std::string shape = R"(", "shape": "polygon", "vertices": )";
+    return R"({"gnomon": 1, "dimension": 3, "lights": [{"two_sided": true, "name": "lamp)" + shape + square(1, 4) +
+           R"(}], "blockers": [{"name": "table)" + shape + square(1, 2) + R"(}], "receivers": [{"name": "floor)" +
+           shape + square(9, 0) + "}]}";
+  };
+  write("one.scene.json", scene(0));
+  ASSERT_EQ(gnomon("render one.scene.json --out one.png --no-legend").code, 0);
+  for (const int exponent : {-150, -40, 100}) {
+    write("one.scene.json", scene(exponent));
+    ASSERT_EQ(gnomon("render one.scene.json --out other.png --no-legend").code, 0);
+    EXPECT_TRUE(read("one.png") == read("other.png")) << exponent;
+  }
 }
 
 TEST_F(RenderedPicture, IsMadeOfCounterexamples) {

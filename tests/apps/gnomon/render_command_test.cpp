@@ -38,6 +38,24 @@ TEST_F(RenderCommand, NeedsNoDisplayForDrawingsModelsAndPages) {
   EXPECT_GT(model.at("meshes").size(), 4);
 }
 
+TEST_F(RenderCommand, MakesModelsInMetresWithYUp) {
+  const auto root = [&](const std::string& words) {
+    write("box.scene.json", R"({"gnomon": 1, "dimension": 3, )" + words + R"( "lights": [{"name": "bulb",
+      "shape": "point", "position": [0,0,4]}], "blockers": [{"name": "table", "shape": "polygon",
+      "vertices": [[-1,-1,2], [1,-1,2], [1,1,2], [-1,1,2]]}]})");
+    EXPECT_EQ(gnomon("render box.scene.json --out box.gltf --box -4,-4,-6,4,4,10").code, 0);
+    return read_json("box.gltf").at("nodes")[0];
+  };
+  const auto metres = root("");
+  EXPECT_EQ(metres.at("translation"), nlohmann::json({0, 2, 0}));
+  EXPECT_TRUE(metres.contains("rotation"));
+  EXPECT_FALSE(metres.contains("scale"));
+  const auto millimetres = root(R"("length_unit": "mm", "up": "y",)");
+  EXPECT_EQ(millimetres.at("translation"), nlohmann::json({0, 0, 0.002}));
+  EXPECT_EQ(millimetres.at("scale"), nlohmann::json({0.001, 0.001, 0.001}));
+  EXPECT_FALSE(millimetres.contains("rotation"));
+}
+
 TEST_F(RenderCommand, DrawsAFolderAsItDrawsItsScene) {
   for (const std::string scene : {"figure_4_17", "figure_4_22"}) {
     ASSERT_EQ(gnomon("shadow examples/" + scene + ".scene.json --out shadow --quiet").code, 0);

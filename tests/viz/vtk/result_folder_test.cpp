@@ -93,6 +93,12 @@ TEST(ResultFolder, ALeafOfAnotherGenerationIsRefused) {
   fs::copy_file(folder / "two" / umbra_leaf, folder / "one" / umbra_leaf, fs::copy_options::overwrite_existing);
   EXPECT_THAT([&] { render_result(folder / "one", folder / "picture.gltf"); },
               ThrowsMessage<ResultError>(AllOf(HasSubstr(umbra_leaf), HasSubstr("another run"))));
+  // Solids are not drawn, but tell as much.
+  write_shadow(SampleResult().result(), folder / "one");
+  const std::string solid = "shadow/solids/lamp/table/umbra.vtu";
+  fs::copy_file(folder / "two" / solid, folder / "one" / solid, fs::copy_options::overwrite_existing);
+  EXPECT_THAT([&] { render_result(folder / "one", folder / "picture.gltf"); },
+              ThrowsMessage<ResultError>(AllOf(HasSubstr(solid), HasSubstr("another run"))));
 }
 
 TEST(ResultFolder, ResultsOfOtherCommandsStay) {

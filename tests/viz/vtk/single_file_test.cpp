@@ -104,7 +104,10 @@ TEST_F(SingleFile, GltfHoldsEverySurfaceAsANode) {
   EXPECT_EQ(triangles, sample_cells + 4);
   const auto json = read_json(folder_ / "shadow.gltf");
   EXPECT_EQ(json.at("nodes").size(), 10u);
-  EXPECT_EQ(json.at("nodes")[0].at("translation")[2], 2.0);
+  // In glTF y is up; a quarter turn about x puts z there.
+  EXPECT_EQ(json.at("nodes")[0].at("translation")[1], 2.0);
+  EXPECT_EQ(json.at("nodes")[0].at("rotation"), nlohmann::json({-std::sqrt(0.5), 0, 0, std::sqrt(0.5)}));
+  EXPECT_FALSE(json.at("nodes")[0].contains("scale"));
   EXPECT_EQ(json.at("accessors")[0].at("min").size(), 3u);
 }
 
