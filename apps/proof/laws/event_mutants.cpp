@@ -49,6 +49,31 @@ void forget_horizon(DividedReceiver& receiver) {
   }
 }
 
+template <class Change>
+void change_beside_arcs(DividedReceiver& receiver, const Change& change) {
+  for (const MeshEdge& edge : receiver.edges) {
+    const bool is_arc = std::ranges::any_of(
+        edge.names, [&](std::uint32_t n) { return receiver.names[n].kind == EventKind::triple_edge; });
+    if (is_arc) change(receiver.faces[edge.left], receiver.faces[edge.right]);
+  }
+}
+
+void forget_arcs(DividedReceiver& receiver) {
+  change_beside_arcs(receiver, [](ReceiverRegion& left, ReceiverRegion& right) { left = right; });
+}
+
+void exchange_beside_arcs(DividedReceiver& receiver) {
+  change_beside_arcs(receiver, [](ReceiverRegion& left, ReceiverRegion& right) { std::swap(left, right); });
+}
+
+void light_beside_arcs(DividedReceiver& receiver) {
+  change_beside_arcs(receiver, [](ReceiverRegion& left, ReceiverRegion& right) {
+    for (ReceiverRegion* region : {&left, &right}) {
+      if (*region == ReceiverRegion::penumbra) *region = ReceiverRegion::lit;
+    }
+  });
+}
+
 void exchange(ReceiverRegion& region) {
   if (region == ReceiverRegion::lit) {
     region = ReceiverRegion::penumbra;
@@ -97,6 +122,23 @@ std::vector<Mutant> event_mutants() {
       receiver("merge_faces", "edges between faces of one region forgotten", {"E7"}, merge_faces),
       receiver("swap_light_and_penumbra", "lit and penumbral faces of a receiver exchanged", {"M5"},
                [](DividedReceiver& found) { std::ranges::for_each(found.faces, exchange); }),
+      receiver("closing_triple_left_out", "arcs that bound an umbra forgotten", {"T7"}, forget_arcs),
+      receiver("closing_is_passing", "umbra and penumbra beside arcs exchanged", {"T7"}, exchange_beside_arcs),
+      receiver("arc_ends_light", "penumbra beside an arc said to be lit", {"T7", "T9"}, light_beside_arcs),
+      receiver("neighbour_of_three", "a neighbouring edge in the names of arcs", {"T7"},
+               [](DividedReceiver& found) {
+                 for (EventName& name : found.names) {
+                   if (name.kind != EventKind::triple_edge) continue;
+                   EventIndex& index = name.third.index;
+                   index = EventIndex{number(index) == 0 ? 1 : number(index) - 1};
+                 }
+               }),
+      receiver("arcs_of_first_order", "orders of arcs taken for those of the other kind of light", {"T7"},
+               [](DividedReceiver& found) {
+                 for (EventName& name : found.names) {
+                   if (name.kind == EventKind::triple_edge) name.order = static_cast<std::uint8_t>(3 - name.order);
+                 }
+               }),
       receiver("shift_boundary", "vertices of a receiver's mesh a little aside", {"M5", "E1"},
                [](DividedReceiver& found) {
                  for (Point3& p : found.vertices) p = {p.x + 0x1p-20, p.y + 0x1p-20, p.z};

@@ -49,4 +49,7 @@ std::vector<Law> spatial_claims();
 /// The laws of one light and one blocker in space: S1 to S14.
 std::vector<Law> spatial_laws();
 
+/// T1 to T9: three edges in line.
+std::vector<Law> triple_edge_laws();
+
 }  // namespace gnomon::laws

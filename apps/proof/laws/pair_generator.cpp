@@ -262,6 +262,14 @@ Point3 nudged(const Point3& p) {
   return result;
 }
 
+Point3 nudged_beside_whole_numbers(const Point3& p) {
+  Point3 q = nudged(p);
+  for (double* c : {&q.x, &q.y, &q.z}) {
+    if (std::abs(*c) < 0x1p-60) *c = 0;
+  }
+  return q;
+}
+
 std::vector<Point3> draw_flat_points(double stretch) {
   return draw_polygon(stretch);
 }

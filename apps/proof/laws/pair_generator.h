@@ -40,4 +40,7 @@ Pair draw_pair(Domain domain, Lights lights);
 /// smallest double.
 Point3 nudged(const Point3& p);
 
+/// The same, but not by less than what matters beside whole numbers.
+Point3 nudged_beside_whole_numbers(const Point3& p);
+
 }  // namespace gnomon::laws

@@ -63,15 +63,6 @@ Points draw_blocker(Stands stands) {
   return points;
 }
 
-/// One ulp off, but not by less than what matters beside whole numbers.
-Point3 nudged_a_little(const Point3& p) {
-  Point3 q = nudged(p);
-  for (double* c : {&q.x, &q.y, &q.z}) {
-    if (std::abs(*c) < 0x1p-60) *c = 0;
-  }
-  return q;
-}
-
 ConvexBlocker blocker_of(Points points) {
   if (points.size() > 3 && !are_coplanar(points)) return ConvexSolid::hull_of(points);
   points.resize(3);
@@ -95,12 +86,12 @@ ReceiverCase draw_scene(Domain domain, int most_blockers, Stands stands) {
   if (once_in(3)) floor = {{-9, -7, 0}, {8, -6, 0}, {0, 9, 0}};
   bend(light, kind, scale);
   bend(floor, kind, scale);
-  if (bent && light.size() == 3 && once_in(2)) light[2] = nudged_a_little(light[2]);
+  if (bent && light.size() == 3 && once_in(2)) light[2] = nudged_beside_whole_numbers(light[2]);
   std::vector<ConvexBlocker> blockers;
   for (int i = once_in(3) ? draw(1, most_blockers) : 1; i > 0; --i) {
     Points points = draw_blocker(stands);
     bend(points, kind, scale);
-    if (bent && points.size() < 5 && once_in(2)) points[1] = nudged_a_little(points[1]);
+    if (bent && points.size() < 5 && once_in(2)) points[1] = nudged_beside_whole_numbers(points[1]);
     blockers.push_back(blocker_of(points));
   }
   if (ConvexPolygon::defect(light) || !ConvexPolygon::from_points(light).is_flat()) {

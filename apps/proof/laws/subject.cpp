@@ -15,7 +15,8 @@ DividedReceiver divided_receiver(const Light& light, const std::vector<ConvexBlo
       return edge.arc != MeshEdge::nowhere && (edge.left == t.face || edge.right == t.face);
     });
   });
-  DividedReceiver result{std::move(drawing.points), mesh.edges(), {}, mesh.names(), std::move(drawing.triangles)};
+  DividedReceiver result{std::move(drawing.points),    mesh.edges(), {}, mesh.names(),
+                         std::move(drawing.triangles), mesh.arcs()};
   for (const MeshFace& face : mesh.faces()) result.faces.push_back(face.region);
   return result;
 }

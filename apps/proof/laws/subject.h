@@ -21,6 +21,7 @@ struct DividedReceiver {
   std::vector<ReceiverRegion> faces;  ///< their regions
   std::vector<EventName> names;
   std::vector<ReceiverTriangle> triangles;
+  std::vector<MeshArc> arcs;
 };
 
 /// A receiver, divided by what it receives of a light.
