@@ -23,9 +23,11 @@
 
 #include "gnomon/flatland_partition.h"
 #include "gnomon/flatland_regions.h"
+#include "gnomon/irradiance.h"
 #include "gnomon/pair.h"
 #include "gnomon/point.h"
 #include "gnomon/receiver_mesh.h"
+#include "gnomon/reflection.h"
 #include "gnomon/scene.h"
 #include "gnomon/shadow_mesh.h"
 #include "gnomon/shadow_volume.h"
@@ -84,6 +86,8 @@ struct ReceiverResult {
   ReceiverMesh mesh;
   std::vector<double> visible_fractions = {};  ///< of each vertex, if it was asked for
   std::string side = receiver;                 ///< the receiver, or its side, that the piece belongs to
+  std::vector<Irradiance> irradiance = {};     ///< [W/m²] of each point of mesh.drawing(), if there is an eye
+  std::vector<RadianceRgb> radiance = {};      ///< the same: reflected of this light to the eye
 };
 
 /// The pieces of one side of a receiver, one after the other, that receive of one light.
