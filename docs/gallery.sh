@@ -24,6 +24,7 @@ scene figure_4_20_one_penumbra figure_4_20.png
 scene figure_4_21 figure_4_21.png
 "$gnomon" render "$examples/figure_4_22.scene.json" --out "$folder/figure_4_22.png"
 scene cornell_box cornell_box.png
+scene cornell_box irradiance.png --colour irradiance
 scene letter_block letter_block.png
 
 # image SCENE [OPTION...]: what a scene's camera sees.

@@ -90,6 +90,16 @@ struct ReceiverResult {
   std::vector<RadianceRgb> radiance = {};      ///< the same: reflected of this light to the eye
 };
 
+/// One side of a receiver in triangles that are fine enough to be painted by what they receive of one light.
+struct PaintedReceiver {
+  std::uint32_t light_id = 0;  ///< index into SpaceScene::lights
+  std::string light;
+  std::string side;  ///< the receiver, or its side
+  std::vector<Point3> points;
+  std::vector<Irradiance> irradiance;                     ///< [W/m²] of each point, as its own face has it
+  std::vector<std::array<std::uint32_t, 3>> triangles{};  ///< counterclockwise seen from the front
+};
+
 /// The pieces of one side of a receiver, one after the other, that receive of one light.
 using SideResult = std::span<const ReceiverResult>;
 
@@ -110,6 +120,8 @@ struct ShadowResult {
   std::vector<MergedResult> merged = {};  ///< dimension 3: blockers of several parts, if asked for
   /// Dimension 3: receivers divided by what they receive of a light, where that is supported. Light by light.
   std::vector<ReceiverResult> receivers = {};
+  /// Dimension 3: sides of receivers that are painted by irradiance in place of regions, if asked for.
+  std::vector<PaintedReceiver> painted = {};
 };
 
 }  // namespace gnomon

@@ -114,6 +114,21 @@ void append_receiver_faces(std::vector<Block>& blocks, const ShadowResult& frame
                         data});
 }
 
+void append_painted_receiver(std::vector<Block>& blocks, const ShadowResult& frame, const PaintedReceiver& painted) {
+  vtkNew<vtkCellArray> cells;
+  for (const auto& triangle : painted.triangles) insert_cell(*cells, triangle);
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(vtk_points(painted.points));
+  data->SetPolys(cells);
+  SideDrawing arrays;
+  arrays.irradiance = painted.irradiance;
+  add_point_arrays(*data, arrays);
+  Fields fields = leaf_fields(frame, false);
+  fields.push_back({"light", std::vector<std::string>{painted.light}});
+  fields.push_back({"receiver", std::vector<std::string>{painted.side}});
+  append_block(blocks, {{"receivers", painted.light, painted.side, "irradiance"}, "receiver_irradiance", fields, data});
+}
+
 }  // namespace gnomon::viz
 
 namespace gnomon {

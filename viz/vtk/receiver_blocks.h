@@ -35,4 +35,8 @@ void add_point_arrays(vtkPointSet& data, const SideDrawing& drawing);
 void append_receiver_faces(std::vector<Block>& blocks, const ShadowResult& frame, SideResult side,
                            const SideDrawing& drawing);
 
+/// Adds the block `receivers/LIGHT/NAME/irradiance`: triangles, counterclockwise seen from the receiver's front, with
+/// the point arrays irradiance and irradiance_error_bound.
+void append_painted_receiver(std::vector<Block>& blocks, const ShadowResult& frame, const PaintedReceiver& painted);
+
 }  // namespace gnomon::viz
