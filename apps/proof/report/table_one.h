@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,10 @@ struct TableOneRow {
   /// The time under l points over that under the light is constant + per_point l.
   double constant = 0, per_point = 0;
   double rms = 0;  ///< of the picture under as many points as cost as much, as a share of its largest radiance
+  /// How many points bring that down to 1/256 and to 1/1000: between numbers tried, on logarithmic scales, or beyond
+  /// the most that were tried on the line through the last two.
+  double points_at_256 = 0, points_at_1000 = 0;
+  std::uint32_t most_tried = 0;
 
   /// How many points cost as much as the light.
   double equal() const { return (1 - constant) / per_point; }
