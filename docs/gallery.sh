@@ -58,6 +58,18 @@ beside pa90_sphere 7 5
 beside p93_desk 7 3.5
 beside p93_cafeteria 3 3
 
+# finer SCENE EXPOSURE: prints what meshes twice as fine would change.
+./papers_scenes.py "$work/finer" 2
+finer() {
+  image "papers/$1" --out "$work/this.pfm"
+  "$gnomon" image "$work/finer/$1.scene.json" --quiet --out "$work/finer.pfm"
+  printf '%s, meshes twice as fine: ' "$1"
+  ./compare_pictures.py "$work/this.pfm" "$work/finer.pfm" "$2"
+}
+
+finer pa90_sphere 5
+finer phong_4_18 1.56
+
 # divided SCENE PICTURE: the receivers of a scene with their regions and the lines of each order.
 divided() {
   "$gnomon" receivers "$examples/$1.scene.json" --out "$work/$1" --quiet
