@@ -174,6 +174,12 @@ std::vector<TableOneRow> table_one(Effort effort) {
   return rows;
 }
 
+Seconds sphere_picture(std::uint32_t side) {
+  SpaceScene scene = scene_of(sphere_of_triangles(), true);
+  scene.camera->width = scene.camera->height = side;
+  return time_per_result([&] { pictured(scene, 0); }, 1, Care{1, 0});
+}
+
 const std::vector<PrintedRow>& printed_table_one() {
   static const std::vector<PrintedRow> rows = {{"square", false, .39, .14, 4.36}, {"cube", false, .34, .11, 6.00},
                                                {"sphere", false, .31, .11, 6.27}, {"disk", false, .40, .14, 4.29},

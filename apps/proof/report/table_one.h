@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "apps/proof/report/sight_tasks.h"
+#include "apps/proof/report/stopwatch.h"
 
 namespace gnomon::report {
 
@@ -36,6 +37,9 @@ struct PrintedRow {
 /// Square, cube, sphere, disk and patch, 1 above a floor, with n = 64 and 32 on the floor; the light is 10 long, 5
 /// above them. `alone` nothing is hidden. One thread; `gnomon image`'s way, rays from the eye included.
 std::vector<TableOneRow> table_one(Effort effort);
+
+/// What the picture of the sphere with shadows takes under the linear light, so many pixels wide and high.
+Seconds sphere_picture(std::uint32_t side);
 
 /// The papers' Table I.
 const std::vector<PrintedRow>& printed_table_one();

@@ -161,6 +161,12 @@ void add_reflection_peers(Findings& all, const Report& report) {
   }
 }
 
+/// [PA90]'s sphere, as Table I has it.
+void add_picture(Findings& all, const Report& report) {
+  Limits{all, "reflection", time_text}.add("a picture of Table I's sphere, 512 by 512 pixels",
+                                           3 * machine_scale(report), seconds(report, "sphere_picture", 512));
+}
+
 /// A linear light costs as much as so many points, of every primitive of Table I.
 void add_table_one(Findings& all, const Report& report) {
   std::optional<double> most;
@@ -207,6 +213,7 @@ std::vector<Finding> timing_findings(const Report& report) {
   add_meshes(all, report);
   add_reflection(all, report);
   add_reflection_peers(all, report);
+  add_picture(all, report);
   add_table_one(all, report);
   add_visibility(all, report);
   add_stacks(all, report);

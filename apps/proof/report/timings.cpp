@@ -1,5 +1,6 @@
 #include "apps/proof/report/timings.h"
 #include "apps/proof/report/reflection_peers.h"
+#include "apps/proof/report/table_one.h"
 
 #include <utility>
 
@@ -156,6 +157,7 @@ std::vector<TimingTask> timing_tasks(Effort effort) {
                                    {"random points", random_points},
                                    {"many triangles", set_up}};
   if (effort == Effort::quick) return tasks;
+  tasks.push_back({"a picture of a sphere", [] { return Timings{{"sphere_picture", 512, sphere_picture(512)}}; }});
   for (const std::size_t k : {2U, 5U, 8U}) {
     tasks.push_back({std::to_string(k) + " by " + std::to_string(k) + " stacks", [=] { return stacks(k); }});
   }
