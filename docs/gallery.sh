@@ -24,6 +24,7 @@ scene figure_4_20_one_penumbra figure_4_20.png
 scene figure_4_21 figure_4_21.png
 "$gnomon" render "$examples/figure_4_22.scene.json" --out "$folder/figure_4_22.png"
 scene cornell_box cornell_box.png
+scene cornell_box irradiance.png --colour irradiance
 scene letter_block letter_block.png
 
 # image SCENE [OPTION...]: what a scene's camera sees.
@@ -56,6 +57,18 @@ beside() {
 beside pa90_sphere 7 5
 beside p93_desk 7 3.5
 beside p93_cafeteria 3 3
+
+# finer SCENE EXPOSURE: prints what meshes twice as fine would change.
+./papers_scenes.py "$work/finer" 2
+finer() {
+  image "papers/$1" --out "$work/this.pfm"
+  "$gnomon" image "$work/finer/$1.scene.json" --quiet --out "$work/finer.pfm"
+  printf '%s, meshes twice as fine: ' "$1"
+  ./compare_pictures.py "$work/this.pfm" "$work/finer.pfm" "$2"
+}
+
+finer pa90_sphere 5
+finer phong_4_18 1.56
 
 # divided SCENE PICTURE: the receivers of a scene with their regions and the lines of each order.
 divided() {

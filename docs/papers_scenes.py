@@ -1,12 +1,16 @@
 #!/usr/bin/env python3
-"""Makes the example scenes of [Ph73], [PA90] and [P93]: docs/papers_scenes.py FOLDER
+"""Makes the example scenes of [Ph73], [PA90] and [P93]: docs/papers_scenes.py FOLDER [TIMES]
 
-Spheres, cylinders, cones, disks and a patch are OBJ meshes beside the scenes. Sizes that the papers do not give are ours.
+Spheres, cylinders and cones are OBJ meshes beside the scenes. Sizes that the papers do not give are ours. TIMES makes the
+spheres, and what stands beside them, so many times as fine, to see what that changes: see gallery.sh.
 """
 import json
 import math
 import pathlib
 import sys
+
+
+TIMES = int(sys.argv[2]) if len(sys.argv) > 2 else 1
 
 
 def rounded(p):
@@ -110,8 +114,8 @@ def phong_scenes(folder):
     bodies = []
     for row, (w, n) in enumerate(((0.2, 2), (0.6, 20))):
         x, kind = 0.0, "high" if row else "low"
-        for name, text in (("cone", cone(24, 1, 2, 0)), ("cylinder", cylinder(24, 0.8, 2, 2.6)),
-                           ("sphere", sphere(16, 32, 1, (5.2, 0, 1)))):
+        for name, text in (("cone", cone(48 * TIMES, 1, 2, 0)), ("cylinder", cylinder(48 * TIMES, 0.8, 2, 2.6)),
+                           ("sphere", sphere(32 * TIMES, 64 * TIMES, 1, (5.2, 0, 1)))):
             lines = []
             for line in text.splitlines():  # the second row stands behind and above the first
                 if line.startswith("v "):
@@ -137,7 +141,7 @@ def linear_light_scenes(folder):
     shiny = {"name": "shiny", "model": "phong_classic", "diffuse": [0.5, 0.15, 0.1], "specular": 0.4, "exponent": 64}
     ground = {"name": "floor", "model": "phong_classic", "diffuse": 0.5, "specular": 0.15, "exponent": 32}
     tube = [{"name": "tube", "shape": "segment", "vertices": [[-5, 0, 7], [5, 0, 7]], "intensity_per_length": 6}]
-    (folder / "pa90_sphere.obj").write_text(sphere(24, 48, 1, (0, 0, 2)))
+    (folder / "pa90_sphere.obj").write_text(sphere(24 * TIMES, 48 * TIMES, 1, (0, 0, 2)))
     scene(folder, "pa90_sphere", camera=camera([0, -11, 5], [0, 0, 1.2], 36, 400, 300), materials=[shiny, ground],
           lights=tube, receivers=[floor(12)],
           blockers=[{"name": "sphere", "shape": "mesh", "file": "pa90_sphere.obj", "material": "shiny", "normals": "angle"}])

@@ -13,8 +13,11 @@ inline double magnitude(double a) {
   return std::fabs(a);
 }
 
+/// Without the bits of the signs.
 inline Pair magnitude(const Pair& a) {
-  return Pair{std::fabs(a[0]), std::fabs(a[1])};
+  using Bits = long long __attribute__((vector_size(16)));
+  constexpr Bits all_but_sign{0x7fffffffffffffff, 0x7fffffffffffffff};
+  return Pair(Bits(a) & all_but_sign);
 }
 
 inline Pair square_root(const Pair& a) {

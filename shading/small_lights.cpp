@@ -52,13 +52,13 @@ Rational power_of_two(int exponent) {
 /// What was found with all lengths divided by 2^exponent, where the irradiance falls with that power of distance.
 Irradiance in_true_size(const Irradiance& e, int exponent, int power) {
   if (e.value == 0 && e.error_bound == 0) return {};
-  const double value = std::scalbn(e.value, -power * exponent);
-  return {value, value < HUGE_VAL ? with_underflow(std::scalbn(e.error_bound, -power * exponent)) : HUGE_VAL};
+  const double value = shading::times_two_to(e.value, -power * exponent);
+  return {value, value < HUGE_VAL ? with_underflow(shading::times_two_to(e.error_bound, -power * exponent)) : HUGE_VAL};
 }
 
 /// Whatever the size.
 double safe_length(const Vector& a) {
-  return std::scalbn(length(of_size_one(a)), exponent(a));
+  return shading::times_two_to(length(of_size_one(a)), exponent(a));
 }
 
 Vector unit_vector(const Vector& a) {
@@ -122,7 +122,7 @@ Crosswise crosswise(const Vector& start, const Vector& along, const Vector& norm
   const double axis_length = length(axis);
   const double d_length = length(d);
   return {along, 1 / (axis_length * length(normal)) * cross(axis, normal),
-          std::scalbn(axis_length / d_length, exponent(start)),
+          shading::times_two_to(axis_length / d_length, exponent(start)),
           1.01 * 8 * unit * length(a) * d_length / axis_length + 16 * unit};
 }
 

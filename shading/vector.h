@@ -2,7 +2,9 @@
 
 /// Vectors in doubles. Private to this folder.
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "geometry/numbers/vector3.h"
@@ -34,15 +36,23 @@ inline double length(const Vector& a) {
   return std::sqrt(dot(a, a));
 }
 
+/// x times 2^power, rounded once: exact unless it underflows or overflows. As std::scalbn, which is a call.
+inline double times_two_to(double x, int power) {
+  const bool is_normal = power >= -1022 && power <= 1023;
+  return is_normal ? x * std::bit_cast<double>(static_cast<std::uint64_t>(power + 1023) << 52) : std::scalbn(x, power);
+}
+
 /// The binary exponent of the largest coordinate; 0 if that is 0 or not finite.
 inline int exponent(const Vector& a) {
   const double size = std::fmax(std::fmax(std::fabs(a.x), std::fabs(a.y)), std::fabs(a.z));
-  return size > 0 && size < HUGE_VAL ? std::ilogb(size) : 0;
+  if (!(size > 0 && size < HUGE_VAL)) return 0;
+  const auto biased = static_cast<int>(std::bit_cast<std::uint64_t>(size) >> 52);
+  return biased > 0 ? biased - 1023 : std::ilogb(size);
 }
 
 /// Times a power of two: exact but for coordinates that underflow.
 inline Vector scaled(const Vector& a, int power) {
-  return {std::scalbn(a.x, power), std::scalbn(a.y, power), std::scalbn(a.z, power)};
+  return {times_two_to(a.x, power), times_two_to(a.y, power), times_two_to(a.z, power)};
 }
 
 /// The direction with a largest coordinate from 1 to 2, if it has a length that is finite. What underflows beside that

@@ -93,16 +93,6 @@ SpaceScene scene_with_camera(const std::string& file) {
   throw SceneError(space->source + ": found no camera; expected the key \"camera\" with \"eye\" and \"look_at\"");
 }
 
-void require_points_of_lights(const SpaceScene& scene, std::uint32_t points) {
-  if (points == 0) return;
-  for (const SceneLight& light : scene.lights) {
-    const auto* linear = std::get_if<LinearLight>(&light.shape);
-    if (!linear || is_isotropic(linear->emission)) continue;
-    throw UnsupportedError(scene.source + ": light \"" + light.name +
-                           "\": points for a light with emission, flaps or shade are not available in this version");
-  }
-}
-
 image::ShadedImage painted(const SpaceScene& scene, const image::ImageOptions& options, bool quiet) {
   const std::size_t pixels = std::size_t{scene.camera->width} * scene.camera->height;
   Progress progress("pixel", pixels, progress_visibility(quiet, false));
@@ -125,7 +115,6 @@ ExitCode image_command(Arguments arguments) {
                            options.threads};
   double exposure = exposure_of(options.exposure);
   const SpaceScene scene = scene_with_camera(options.scene);
-  require_points_of_lights(scene, what.points);
   const auto start = std::chrono::steady_clock::now();
   const image::ShadedImage picture = painted(scene, what, options.quiet);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;

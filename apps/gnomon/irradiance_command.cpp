@@ -17,6 +17,7 @@
 #include "apps/gnomon/point_batches.h"
 #include "apps/gnomon/receiver_rows.h"
 #include "apps/gnomon/scene_input.h"
+#include "apps/gnomon/seen_surface.h"
 #include "apps/gnomon/text.h"
 #include "geometry/parallel.h"
 #include "gnomon/irradiance.h"
@@ -32,6 +33,8 @@ struct IrradianceOptions : CommonOptions {
   std::string on;
   std::string shape;
   std::string lift;
+  std::string eye;
+  std::string material;
   std::string out;
   IrradianceLayout layout;
 };
@@ -51,6 +54,10 @@ void add_options(CommandLine& app, IrradianceOptions& options) {
       "of equal cells of the smallest such rectangle; those beside the facet are left out. Without it one point,\n"
       "the mean of the corners");
   add_text(app, "--lift", options.lift, "H", "Move every point by this length along its normal first");
+  add_text(app, "--eye", options.eye, "x,y,z|camera",
+           "Also tell the radiance that each point reflects to an eye here, or to that of the scene's camera");
+  add_text(app, "--material", options.material, "NAME",
+           "With --eye: what the points are made of, as for gnomon radiance");
   add_text(app, "--out", options.out, "FILE", "Write the CSV to this file (default: to stdout)");
   app.add_flag("--sum", options.layout.sum, "A row for each point, with the sum over all lights");
   app.add_flag("--wide", options.layout.wide,
@@ -68,13 +75,23 @@ void add_options(CommandLine& app, IrradianceOptions& options) {
       "--out FILE, and in the JSON, mean over the points, least and largest irradiance are told, too. A malformed line "
       "is reported\n"
       "with its number and left out; the exit code is 3 then.\n\n"
+      "With --eye the columns radiance and radiance_error_bound follow, in W/(m^2 sr); where colours differ,\n"
+      "radiance_r,radiance_error_bound_r and so on. In the row of --sum they count ambient light too, which is no\n"
+      "light of its own here.\n\n"
       "Examples:\n"
       "  gnomon irradiance examples/figure_4_22.scene.json --at examples/receivers.csv\n"
-      "  gnomon irradiance examples/figure_4_22.scene.json --on floor --shape 9,9\n");
+      "  gnomon irradiance examples/still_life.scene.json --on floor --eye camera\n");
 }
 
-/// One set of lights for each worker: each keeps memory for the next question.
-using LightsOfWorkers = std::vector<std::vector<LightIrradiance>>;
+/// What is asked of every point.
+struct Question {
+  std::vector<const SceneLight*> chosen;
+  LengthUnit unit;
+  std::vector<std::vector<LightIrradiance>> lights;  ///< of each worker, for it keeps memory for the next question
+  std::array<double, 3> eye{};
+  const SceneMaterial* material = nullptr;  ///< none without an eye
+  std::optional<SeenSurface> surface = {};  ///< with an eye
+};
 
 /// Where the rows come from.
 struct Receivers {
@@ -86,22 +103,26 @@ struct Receivers {
   std::function<double()> share = [] { return -1.0; };        ///< of the work that has been read, if count is 0
 };
 
-std::vector<LitRow> lit_rows(const Receivers& receivers, std::vector<TableRow> batch,
-                             const std::vector<const SceneLight*>& chosen, const LengthUnit& unit,
-                             LightsOfWorkers& lights) {
+void light_up(LitRow& lit, const Receivers& receivers, Question& question, std::size_t worker) {
+  const auto* row = std::get_if<PointRow>(&lit.row);
+  if (!row) return;
+  const ReceiverPoint receiver = receivers.receiver_of(*row);
+  const auto& [x, y, z] = row->normal;
+  std::vector<LightIrradiance>& local = question.lights[worker];
+  for (std::size_t l = 0; l < local.size(); ++l) {
+    const Irradiance e = local[l].received(receiver, {x, y, z});
+    lit.received.push_back(per_square_metre(e, question.chosen[l]->shape, question.unit));
+  }
+  if (!question.surface) return;
+  lit.reflected = question.surface->at(worker, receiver, {x, y, z}, question.eye);
+  lit.eye = question.eye;
+}
+
+std::vector<LitRow> lit_rows(const Receivers& receivers, std::vector<TableRow> batch, Question& question) {
   std::vector<LitRow> rows;
-  for (TableRow& row : batch) rows.push_back({std::move(row), {}});
-  for_all(rows.size(), static_cast<unsigned>(lights.size()), [&](std::size_t i, std::size_t worker) {
-    const auto* row = std::get_if<PointRow>(&rows[i].row);
-    if (!row) return;
-    const ReceiverPoint receiver = receivers.receiver_of(*row);
-    const auto& [x, y, z] = row->normal;
-    std::vector<LightIrradiance>& local = lights[worker];
-    for (std::size_t l = 0; l < local.size(); ++l) {
-      const Irradiance e = local[l].received(receiver, {x, y, z});
-      rows[i].received.push_back(per_square_metre(e, chosen[l]->shape, unit));
-    }
-  });
+  for (TableRow& row : batch) rows.push_back({std::move(row), {}, {}});
+  for_all(rows.size(), static_cast<unsigned>(question.lights.size()),
+          [&](std::size_t i, std::size_t worker) { light_up(rows[i], receivers, question, worker); });
   return rows;
 }
 
@@ -113,13 +134,17 @@ struct IrradianceOutputs {
   std::optional<IrradianceJson> json;
 
   IrradianceOutputs(const IrradianceOptions& options, const SpaceScene& scene, const std::string& header,
-                    const std::vector<std::string>& lights) {
+                    const std::vector<std::string>& lights, const Question& question) {
+    IrradianceLayout layout = options.layout;
+    const SceneMaterial* material = question.material;
+    if (material) layout.radiance = RadianceColumns{is_coloured(scene, material->material, question.chosen)};
     if (!options.out.empty()) csv_file.emplace(options.out);
-    if (csv_file || options.json != "-")
-      csv.emplace(csv_file ? csv_file->stream() : std::cout, header, lights, options.layout);
+    if (csv_file || options.json != "-") {
+      csv.emplace(csv_file ? csv_file->stream() : std::cout, header, lights, layout);
+    }
     if (options.json.empty()) return;
     if (options.json != "-") json_file.emplace(options.json);
-    json.emplace(json_file ? json_file->stream() : std::cout, scene, lights, options.layout);
+    json.emplace(json_file ? json_file->stream() : std::cout, scene, lights, layout, material ? material->name : "");
   }
 
   void publish(const IrradianceSummaries& summaries, std::size_t malformed_lines) {
@@ -129,24 +154,33 @@ struct IrradianceOutputs {
   }
 };
 
+Question question_of(const IrradianceOptions& options, const SpaceScene& scene, const PreparedObstacles& obstacles) {
+  Question question{chosen_lights(scene.lights, options.light), *length_unit_named(scene.length_unit),
+                    std::vector<std::vector<LightIrradiance>>(thread_count(options.threads))};
+  for (std::vector<LightIrradiance>& own : question.lights) {
+    for (const SceneLight* light : question.chosen) own.emplace_back(light->shape, light->strength, obstacles);
+  }
+  if (options.eye.empty()) return question;
+  question.eye = eye_named(options.eye, scene);
+  question.material = &chosen_material(options.material, options.on, scene);
+  question.surface.emplace(scene, question.chosen, question.material->material, obstacles,
+                           static_cast<unsigned>(question.lights.size()));
+  return question;
+}
+
 ExitCode write_irradiance(const IrradianceOptions& options, const SpaceScene& scene, const PreparedObstacles& obstacles,
                           const Receivers& receivers) {
-  const std::vector<const SceneLight*> chosen = chosen_lights(scene.lights, options.light);
-  LightsOfWorkers lights(thread_count(options.threads));
-  for (std::vector<LightIrradiance>& own : lights) {
-    for (const SceneLight* light : chosen) own.emplace_back(light->shape, light->strength, obstacles);
-  }
-  const LengthUnit unit = *length_unit_named(scene.length_unit);
+  Question question = question_of(options, scene, obstacles);
   std::vector<std::string> names;
-  for (const SceneLight* light : chosen) names.push_back(light->name);
-  IrradianceOutputs outputs(options, scene, receivers.header, names);
+  for (const SceneLight* light : question.chosen) names.push_back(light->name);
+  IrradianceOutputs outputs(options, scene, receivers.header, names, question);
   if (names.empty()) print_warning("the scene has no light");
   Progress progress("point", receivers.count, progress_visibility(options.quiet, options.out.empty()));
   IrradianceSummaries summaries(names);
   std::size_t malformed_lines = 0;
   for (auto batch = receivers.next_batch(); !batch.empty(); batch = receivers.next_batch()) {
     const std::size_t count = batch.size();
-    for (const LitRow& lit : lit_rows(receivers, std::move(batch), chosen, unit, lights)) {
+    for (const LitRow& lit : lit_rows(receivers, std::move(batch), question)) {
       if (outputs.csv) outputs.csv->add(lit);
       if (outputs.json) outputs.json->add(lit);
       const auto* malformed = std::get_if<MalformedRow>(&lit.row);
@@ -219,6 +253,7 @@ ExitCode irradiance_command(Arguments arguments) {
   if (options.out == "-") options.out.clear();
   if (options.at.empty() == options.on.empty()) throw UsageError("expected either --at POINTS.csv or --on RECEIVER");
   if (options.on.empty() && !options.shape.empty()) throw UsageError("--shape nu,nv goes with --on RECEIVER");
+  if (options.eye.empty() && !options.material.empty()) throw UsageError("--material NAME goes with --eye x,y,z");
   const SpaceScene scene = space_scene_with_warnings(options.scene, "irradiance");
   return options.on.empty() ? at_points(options, scene) : on_receiver(options, scene);
 }

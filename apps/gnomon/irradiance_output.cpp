@@ -15,7 +15,7 @@ Json irradiance_json(const Irradiance& e) {
   return {{"irradiance", e.value}, {"error_bound", printed_error_bound(e.value, e.error_bound)}};
 }
 
-Json row_json(const LitRow& lit, const std::vector<std::string>& lights, bool with_sum) {
+Json row_json(const LitRow& lit, const std::vector<std::string>& lights, const IrradianceLayout& layout) {
   if (const auto* malformed = std::get_if<MalformedRow>(&lit.row)) {
     return {{"line", malformed->line}, {"problem", malformed->problem}};
   }
@@ -24,8 +24,13 @@ Json row_json(const LitRow& lit, const std::vector<std::string>& lights, bool wi
   for (std::size_t l = 0; l < lights.size(); ++l) {
     json["lights"].push_back({{"light", lights[l]}});
     json["lights"].back().update(irradiance_json(lit.received[l]));
+    if (layout.radiance) json["lights"].back().update(radiance_json(lit.reflected.lights[l], "radiance_error_bound"));
   }
-  if (with_sum) json["sum"] = irradiance_json(total_irradiance(lit.received));
+  if (layout.sum) json["sum"] = irradiance_json(total_irradiance(lit.received));
+  if (!layout.radiance) return json;
+  json["eye"] = lit.eye;
+  json["ambient"] = radiance_json(lit.reflected.ambient, "radiance_error_bound");
+  json["total"] = radiance_json(lit.reflected.total(), "radiance_error_bound");
   return json;
 }
 
@@ -78,15 +83,23 @@ IrradianceCsv::IrradianceCsv(std::ostream& stream, const std::string& header, st
                              const IrradianceLayout& layout)
     : stream_(stream), lights_(std::move(lights)), layout_(layout) {
   stream_ << header;
-  if (!layout_.wide && !layout_.sum) stream_ << ",light,irradiance,error_bound";
+  if (!layout_.wide && !layout_.sum) stream_ << ",light" << column_names("");
   if (layout_.wide) {
-    for (const std::string& light : lights_) {
-      stream_ << ',' << csv_field("irradiance_" + light) << ',' << csv_field("error_bound_" + light);
-    }
+    for (const std::string& light : lights_) stream_ << column_names('_' + light);
   }
-  if (layout_.sum) stream_ << ",irradiance,error_bound";
+  if (layout_.sum) stream_ << column_names("");
   stream_ << '\n';
   for (std::string& light : lights_) light = csv_field(light);
+}
+
+std::string IrradianceCsv::column_names(const std::string& suffix) const {
+  const std::string names = ',' + csv_field("irradiance" + suffix) + ',' + csv_field("error_bound" + suffix);
+  return layout_.radiance ? names + layout_.radiance->header("radiance_error_bound", suffix) : names;
+}
+
+std::string IrradianceCsv::columns_of(const LitRow& lit, std::size_t light) const {
+  const std::string columns = csv_columns(lit.received[light]);
+  return layout_.radiance ? columns + layout_.radiance->text(lit.reflected.lights[light]) : columns;
 }
 
 void IrradianceCsv::add(const LitRow& lit) {
@@ -94,29 +107,37 @@ void IrradianceCsv::add(const LitRow& lit) {
   if (!row) return;
   if (!layout_.wide && !layout_.sum) {
     for (std::size_t l = 0; l < lights_.size(); ++l) {
-      stream_ << row->text << ',' << lights_[l] << csv_columns(lit.received[l]) << '\n';
+      stream_ << row->text << ',' << lights_[l] << columns_of(lit, l) << '\n';
     }
     return;
   }
   stream_ << row->text;
   if (layout_.wide) {
-    for (const Irradiance& e : lit.received) stream_ << csv_columns(e);
+    for (std::size_t l = 0; l < lights_.size(); ++l) stream_ << columns_of(lit, l);
   }
-  if (layout_.sum) stream_ << csv_columns(total_irradiance(lit.received));
+  if (layout_.sum) {
+    stream_ << csv_columns(total_irradiance(lit.received));
+    if (layout_.radiance) stream_ << layout_.radiance->text(lit.reflected.total());
+  }
   stream_ << '\n';
 }
 
 IrradianceJson::IrradianceJson(std::ostream& stream, const SpaceScene& scene, std::vector<std::string> lights,
-                               const IrradianceLayout& layout)
+                               const IrradianceLayout& layout, const std::string& material)
     : stream_(stream), lights_(std::move(lights)), layout_(layout) {
-  stream_ << "{\n  \"schema\": \"gnomon/irradiance/1\",\n  \"scene\": "
-          << Json(scene.source).dump(-1, ' ', false, Json::error_handler_t::replace)
-          << ",\n  \"length_unit\": " << Json(scene.length_unit).dump()
-          << ",\n  \"irradiance_unit\": \"W/m^2\",\n  \"points\": [";
+  const auto quoted = [](const std::string& text) {
+    return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+  };
+  stream_ << "{\n  \"schema\": \"gnomon/irradiance/1\",\n  \"scene\": " << quoted(scene.source)
+          << ",\n  \"length_unit\": " << quoted(scene.length_unit) << ",\n  \"irradiance_unit\": \"W/m^2\"";
+  if (layout_.radiance) {
+    stream_ << ",\n  \"material\": " << quoted(material) << ",\n  \"radiance_unit\": \"W/(m^2 sr)\"";
+  }
+  stream_ << ",\n  \"points\": [";
 }
 
 void IrradianceJson::add(const LitRow& lit) {
-  stream_ << (std::exchange(first_, false) ? "\n    " : ",\n    ") << row_json(lit, lights_, layout_.sum).dump();
+  stream_ << (std::exchange(first_, false) ? "\n    " : ",\n    ") << row_json(lit, lights_, layout_).dump();
 }
 
 void IrradianceJson::finish(const IrradianceSummaries& summaries, std::size_t malformed_lines) {

@@ -1,11 +1,15 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
 
 #include "apps/gnomon/point_batches.h"
+#include "apps/gnomon/radiance_output.h"
+#include "apps/gnomon/seen_surface.h"
 #include "gnomon/irradiance.h"
 #include "gnomon/scene.h"
 
@@ -15,12 +19,17 @@ namespace gnomon {
 struct LitRow {
   TableRow row;
   std::vector<Irradiance> received;  ///< empty for a malformed row
+  ReflectedLights reflected;         ///< none without an eye
+  std::array<double, 3> eye{};
 };
 
 /// How the table is laid out. By default it has a row for each point and light.
 struct IrradianceLayout {
   bool wide = false;  ///< a row for each point, with two columns for each light
   bool sum = false;   ///< a row for each point, with two columns for all lights together
+  /// Behind irradiances and their bounds the same of radiances, where an eye is given; those of the sum count ambient
+  /// light too.
+  std::optional<RadianceColumns> radiance = {};
 };
 
 /// Mean, least and largest irradiance that each light gives, and all together.
@@ -46,6 +55,9 @@ class IrradianceCsv {
   void add(const LitRow& lit);
 
  private:
+  std::string column_names(const std::string& suffix) const;
+  std::string columns_of(const LitRow& lit, std::size_t light) const;
+
   std::ostream& stream_;
   std::vector<std::string> lights_;  ///< quoted where CSV asks for it
   IrradianceLayout layout_;
@@ -54,8 +66,9 @@ class IrradianceCsv {
 /// The result as JSON of schema gnomon/irradiance/1, point by point. What is infinite is null.
 class IrradianceJson {
  public:
+  /// With radiance in the layout of this material, else its name is empty.
   IrradianceJson(std::ostream& stream, const SpaceScene& scene, std::vector<std::string> lights,
-                 const IrradianceLayout& layout);
+                 const IrradianceLayout& layout, const std::string& material);
   void add(const LitRow& lit);
   void finish(const IrradianceSummaries& summaries, std::size_t malformed_lines);
 

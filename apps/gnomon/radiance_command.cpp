@@ -1,6 +1,4 @@
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <functional>
 #include <iostream>
 #include <optional>
@@ -18,11 +16,11 @@
 #include "apps/gnomon/radiance_output.h"
 #include "apps/gnomon/receiver_rows.h"
 #include "apps/gnomon/scene_input.h"
+#include "apps/gnomon/seen_surface.h"
 #include "geometry/parallel.h"
 #include "gnomon/reflection.h"
 #include "gnomon/scene.h"
 #include "gnomon/visibility.h"
-#include "shading/image/scene_radiance.h"
 
 namespace gnomon {
 namespace {
@@ -67,50 +65,6 @@ void add_options(CommandLine& app, RadianceOptions& options) {
       "  gnomon radiance examples/still_life.scene.json --on floor --shape 4,3\n");
 }
 
-/// The material of the receiver that is called so; empty if it has none, or none is asked for.
-std::string material_on(const std::string& receiver, const SpaceScene& scene) {
-  for (const SceneReceiver& facet : scene.receivers) {
-    if (facet.is_called(receiver)) return facet.material;
-  }
-  return {};
-}
-
-/// The material that was asked for.
-const SceneMaterial& chosen_material(const RadianceOptions& options, const SpaceScene& scene) {
-  static const SceneMaterial grey{"", {}};
-  const std::string asked = options.material.empty() ? material_on(options.on, scene) : options.material;
-  if (asked.empty()) {
-    if (scene.materials.size() > 1) throw UsageError("the scene has several materials: name one with --material NAME");
-    return scene.materials.empty() ? grey : scene.materials.front();
-  }
-  const auto found = std::ranges::find(scene.materials, asked, &SceneMaterial::name);
-  if (found != scene.materials.end()) return *found;
-  std::string known;
-  for (const SceneMaterial& material : scene.materials) known += (known.empty() ? "" : ", ") + material.name;
-  throw UsageError("--material: found '" + options.material + "', expected a material of the scene" +
-                   (known.empty() ? ", which has none" : ": " + known));
-}
-
-bool is_grey(const Rgb& colour) {
-  return colour[0] == colour[1] && colour[1] == colour[2];
-}
-
-/// What is the same for all rows.
-struct Question {
-  std::vector<const SceneLight*> lights;
-  Material material;
-  LengthUnit unit;
-  RadianceRgb ambient;
-};
-
-/// Half of the way from a point to another, which does not overflow.
-Point3 halfway(const std::array<double, 3>& from, const std::array<double, 3>& to) {
-  return {to[0] / 2 - from[0] / 2, to[1] / 2 - from[1] / 2, to[2] / 2 - from[2] / 2};
-}
-
-/// Of every worker, for every light asked for.
-using ReflectionsOfWorkers = std::vector<std::vector<LightReflection>>;
-
 /// Where the rows come from.
 struct Views {
   std::string file;                                           ///< as messages call it
@@ -121,24 +75,6 @@ struct Views {
   std::function<double()> share = [] { return -1.0; };        ///< of the work that has been read, if count is 0
 };
 
-void answer(SeenRow& seen, const Question& question, const Views& views, std::vector<LightReflection>& lights) {
-  const auto* row = std::get_if<PointRow>(&seen.row);
-  if (!row) return;
-  if (row->eye == row->coordinates) {  // from the surface's own plane nothing is seen
-    seen.lights.resize(lights.size());
-    return;
-  }
-  const auto& [x, y, z] = row->coordinates;
-  const auto& [nx, ny, nz] = row->normal;
-  const View view{{x, y, z}, {nx, ny, nz}, halfway(row->coordinates, row->eye)};
-  const ReceiverPoint receiver = views.receiver_of(*row);
-  for (std::size_t l = 0; l < lights.size(); ++l) {
-    const Reflection r = lights[l].received(receiver, view, question.material.model, question.material.exponent);
-    seen.lights.push_back(reflected_radiance(*question.lights[l], r, question.material, question.unit));
-  }
-  if (eye_is_above(view)) seen.ambient = question.ambient;
-}
-
 /// Where the results go.
 struct RadianceOutputs {
   std::optional<OutputFile> csv_file, json_file;
@@ -148,12 +84,8 @@ struct RadianceOutputs {
   RadianceOutputs(const RadianceOptions& options, const SpaceScene& scene, const std::string& header,
                   const SceneMaterial& material, const std::vector<const SceneLight*>& lights) {
     std::vector<std::string> names;
-    bool coloured = !is_grey(material.material.diffuse) || !is_grey(material.material.specular) ||
-                    !is_grey(material.material.ambient) || !is_grey(scene.ambient_radiance);
-    for (const SceneLight* light : lights) {
-      names.push_back(light->name);
-      coloured |= !is_grey(light->color);
-    }
+    for (const SceneLight* light : lights) names.push_back(light->name);
+    const bool coloured = is_coloured(scene, material.material, lights);
     if (!options.out.empty()) csv_file.emplace(options.out);
     if (csv_file || options.json != "-") {
       csv.emplace(csv_file ? csv_file->stream() : std::cout, header, names, coloured);
@@ -175,22 +107,22 @@ struct RadianceOutputs {
 
 ExitCode write_radiance(const RadianceOptions& options, const SpaceScene& scene, const PreparedObstacles& obstacles,
                         const Views& views) {
-  const SceneMaterial& material = chosen_material(options, scene);
-  const Question question{chosen_lights(scene.lights, options.light), material.material,
-                          *length_unit_named(scene.length_unit),
-                          ambient_radiance(material.material, scene.ambient_radiance)};
-  ReflectionsOfWorkers reflections(thread_count(options.threads));
-  for (std::vector<LightReflection>& own : reflections) {
-    for (const SceneLight* light : question.lights) own.emplace_back(light->shape, obstacles);
-  }
-  RadianceOutputs outputs(options, scene, views.header, material, question.lights);
+  const SceneMaterial& material = chosen_material(options.material, options.on, scene);
+  const std::vector<const SceneLight*> lights = chosen_lights(scene.lights, options.light);
+  const unsigned threads = thread_count(options.threads);
+  SeenSurface surface(scene, lights, material.material, obstacles, threads);
+  RadianceOutputs outputs(options, scene, views.header, material, lights);
   Progress progress("point", views.count, progress_visibility(options.quiet, options.out.empty()));
   std::size_t points = 0, malformed_lines = 0;
   for (auto batch = views.next_batch(); !batch.empty(); batch = views.next_batch()) {
     std::vector<SeenRow> rows;
-    for (TableRow& row : batch) rows.push_back({std::move(row), {}, {}});
-    for_all(rows.size(), static_cast<unsigned>(reflections.size()),
-            [&](std::size_t i, std::size_t worker) { answer(rows[i], question, views, reflections[worker]); });
+    for (TableRow& row : batch) rows.push_back({std::move(row), {}});
+    for_all(rows.size(), threads, [&](std::size_t i, std::size_t worker) {
+      const auto* row = std::get_if<PointRow>(&rows[i].row);
+      if (!row) return;
+      const auto& [x, y, z] = row->normal;
+      rows[i].reflected = surface.at(worker, views.receiver_of(*row), {x, y, z}, row->eye);
+    });
     for (const SeenRow& seen : rows) {
       outputs.add(seen);
       const auto* malformed = std::get_if<MalformedRow>(&seen.row);
@@ -220,21 +152,12 @@ ExitCode at_views(const RadianceOptions& options, const SpaceScene& scene) {
   });
 }
 
-std::array<double, 3> eye_of(const RadianceOptions& options, const SpaceScene& scene) {
-  if (!options.eye.empty()) {
-    const std::vector<std::string_view> parts = comma_separated(options.eye);
-    std::array<double, 3> eye{};
-    if (parts.size() != 3) throw UsageError("--eye: found '" + options.eye + "', expected x,y,z");
-    for (std::size_t k = 0; k < 3; ++k) eye[k] = finite_value("--eye", std::string(parts[k]), "x,y,z");
-    return eye;
-  }
-  if (!scene.camera) throw UsageError("--on RECEIVER: expected --eye x,y,z, as the scene has no camera");
-  return {scene.camera->eye.x, scene.camera->eye.y, scene.camera->eye.z};
-}
-
 ExitCode on_receiver_seen(const RadianceOptions& options, const SpaceScene& scene) {
   require_receiver("--on", options.on, scene.receivers);
-  const std::array<double, 3> eye = eye_of(options, scene);
+  if (options.eye.empty() && !scene.camera) {
+    throw UsageError("--on RECEIVER: expected --eye x,y,z, as the scene has no camera");
+  }
+  const std::array<double, 3> eye = eye_named(options.eye.empty() ? "camera" : options.eye, scene);
   const PreparedObstacles obstacles(scene_bodies(scene).obstacles);
   std::optional<std::array<std::uint32_t, 2>> shape;
   if (!options.shape.empty()) shape = whole_numbers<2>("--shape", options.shape, "nu,nv");

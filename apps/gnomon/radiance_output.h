@@ -1,10 +1,12 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <ostream>
 #include <string>
 #include <vector>
 
 #include "apps/gnomon/point_batches.h"
+#include "apps/gnomon/seen_surface.h"
 #include "gnomon/reflection.h"
 #include "gnomon/scene.h"
 
@@ -13,11 +15,20 @@ namespace gnomon {
 /// A row of the table of views, and the radiance that it sees of each light and of what comes from everywhere.
 struct SeenRow {
   TableRow row;
-  std::vector<RadianceRgb> lights;  ///< empty for a malformed row
-  RadianceRgb ambient;
-
-  RadianceRgb total() const;
+  ReflectedLights reflected;  ///< none for a malformed row
 };
+
+/// Columns of radiances and their bounds: one of each where colours do not differ, else three.
+struct RadianceColumns {
+  bool coloured = false;
+
+  /// ",radiance,BOUND", with the suffix behind each; or ",radiance_r,BOUND_r" and so on.
+  std::string header(const std::string& bound_name, const std::string& suffix) const;
+  std::string text(const RadianceRgb& radiance) const;
+};
+
+/// Three radiances, and their bounds under another name.
+nlohmann::ordered_json radiance_json(const RadianceRgb& radiance, const std::string& bound_name);
 
 /// The result as CSV, row by row: the fields as they were written, then light,radiance,error_bound of each light, of
 /// `ambient` and of `total`; where colours differ radiance_r,error_bound_r and so on. Malformed rows are left out.
@@ -31,7 +42,7 @@ class RadianceCsv {
 
   std::ostream& stream_;
   std::vector<std::string> lights_;  ///< quoted where CSV asks for it
-  std::size_t channels_;
+  RadianceColumns columns_;
 };
 
 /// The result as JSON of schema gnomon/radiance/1, point by point, of three colours. What is infinite is null.

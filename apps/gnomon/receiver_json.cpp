@@ -5,6 +5,8 @@
 
 #include "apps/gnomon/command_line.h"
 #include "apps/gnomon/commands.h"
+#include "apps/gnomon/radiance_output.h"
+#include "geometry/numbers/printed_bound.h"
 #include "gnomon/receiver_mesh.h"
 
 namespace gnomon {
@@ -92,8 +94,24 @@ MeshJson edges_json(const ReceiverMesh& mesh) {
   return list;
 }
 
+/// What the vertices receive and reflect.
+MeshJson reflection_json(const ReceiverResult& receiver) {
+  MeshJson values = MeshJson::array(), bounds = MeshJson::array(), seen = MeshJson::array(), off = MeshJson::array();
+  for (std::size_t v = 0; v < receiver.mesh.vertex_count(); ++v) {
+    const Irradiance& e = receiver.irradiance[v];
+    values.push_back(e.value);
+    bounds.push_back(printed_error_bound(e.value, e.error_bound));
+    const MeshJson radiance = radiance_json(receiver.radiance[v], "error_bound");
+    seen.push_back(radiance["radiance"]);
+    off.push_back(radiance["error_bound"]);
+  }
+  return {
+      {"irradiance", values}, {"irradiance_error_bound", bounds}, {"radiance", seen}, {"radiance_error_bound", off}};
+}
+
 MeshJson mesh_json(const DiscontinuityResult& result, const ReceiverResult& receiver, const MeshParts& parts) {
   MeshJson json = {{"vertices", vertices_json(receiver.mesh)}};
+  if (!receiver.radiance.empty()) json.update(reflection_json(receiver));
   if (parts.faces) json["faces"] = faces_json(receiver.mesh);
   if (parts.polygons) json["polygons"] = polygons_json(receiver.mesh);
   if (!parts.edges) return json;

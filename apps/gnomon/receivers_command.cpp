@@ -14,6 +14,7 @@
 #include "apps/gnomon/receiver_json.h"
 #include "apps/gnomon/scene_discontinuities.h"
 #include "apps/gnomon/scene_input.h"
+#include "apps/gnomon/seen_receivers.h"
 #include "apps/gnomon/shadow_json.h"
 #include "apps/gnomon/text.h"
 #include "gnomon/scene.h"
@@ -27,6 +28,7 @@ struct ReceiversOptions : CommonOptions {
   std::string receiver;
   std::string format = "vtm";
   std::string mesh;
+  ReceiversSeen seen;
 };
 
 void add_options(CommandLine& app, ReceiversOptions& options) {
@@ -38,6 +40,12 @@ void add_options(CommandLine& app, ReceiversOptions& options) {
            "With --json: tell the mesh too, some of faces,edges,polygons, each by its vertices");
   add_text(app, "--receiver", options.receiver, "NAME", "Only this receiver");
   add_text(app, "--light", options.light, "NAME", "Only this light");
+  add_text(
+      app, "--eye", options.seen.eye, "x,y,z|camera",
+      "With --out or --mesh: also tell irradiance at every vertex, and the radiance that it reflects of the light\n"
+      "to an eye here, or to that of the scene's camera");
+  add_text(app, "--material", options.seen.material, "NAME",
+           "With --eye: what receivers are made of (default: each of its own, as for gnomon radiance)");
   add_text(app, "--box", options.box, "xmin,ymin,zmin,xmax,ymax,zmax", "The box that is written as clip_box");
   add_text(app, "--format", options.format, "LIST", "One or both of vtm,vtpc (default: vtm)");
   add_threads_option(app, options);
@@ -46,10 +54,12 @@ void add_options(CommandLine& app, ReceiversOptions& options) {
       "Each receiver is divided by every discontinuity; of those of three edges in line, which are arcs of conics, by\n"
       "those that bound an umbra. Faces are labelled lit, penumbra, umbra or unlit. Only what of the light lies\n"
       "strictly before a receiver's plane counts. Unlit is what has nothing of it before, or sees its back or its\n"
-      "edge. Areas are in squares of the scene's unit of length.\n\n"
+      "edge. Areas are in squares of the scene's unit of length.\n"
+      "With --eye the files have the point arrays irradiance and irradiance_error_bound in W/m^2, radiance and\n"
+      "radiance_error_bound in W/(m^2 sr), red, green and blue, of the vertices as doubles; the JSON's meshes too.\n\n"
       "Examples:\n"
       "  gnomon receivers examples/cornell_box.scene.json --receiver floor\n"
-      "  gnomon receivers examples/figure_4_22.scene.json --out floor_mesh --json -\n");
+      "  gnomon receivers examples/still_life.scene.json --out life --eye camera\n");
 }
 
 std::string percentage(double part, double whole) {
@@ -83,6 +93,7 @@ ExitCode write_all(const ReceiversOptions& options, const std::vector<OutputForm
   const DivisionPlan plan = division_plan(scene, {options.light, options.receiver}, DivisionOf::receivers);
   tell_left_out(plan);
   DiscontinuityResult result = divided_receivers(plan, fractions, effort);
+  if (!options.seen.eye.empty()) add_reflection(result, plan, options.seen, effort);
   std::vector<std::filesystem::path> files;
   if (!options.out.empty()) {
     result.clip_box = clip_box(scene, options.box);
@@ -109,6 +120,12 @@ ExitCode receivers_command(Arguments arguments) {
   if (!app.parse(arguments)) return ExitCode::done;
   const std::vector<OutputFormat> formats = tree_formats(options.format);
   if (mesh_parts(options.mesh).any() && options.json.empty()) throw UsageError("--mesh goes with --json FILE");
+  if (options.seen.eye.empty() && !options.seen.material.empty()) {
+    throw UsageError("--material NAME goes with --eye x,y,z");
+  }
+  if (!options.seen.eye.empty() && options.out.empty() && !mesh_parts(options.mesh).any()) {
+    throw UsageError("--eye x,y,z goes with --out DIR, or with --json FILE and --mesh LIST");
+  }
   require_place("--json", options.json, OutputKind::json);
   require_free_folder(options.out);
   return write_all(options, formats, scene_file_with_warnings(options.scene));

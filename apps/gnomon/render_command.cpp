@@ -12,6 +12,7 @@
 #include "apps/gnomon/computed_shadows.h"
 #include "apps/gnomon/console.h"
 #include "apps/gnomon/element_choice.h"
+#include "apps/gnomon/painted_receivers.h"
 #include "apps/gnomon/scene_discontinuities.h"
 #include "apps/gnomon/scene_input.h"
 #include "apps/gnomon/scene_pairs.h"
@@ -36,6 +37,7 @@ struct RenderOptions : CommonOptions {
   std::string camera;
   std::string up;
   std::string receiver;
+  std::string colour = "region";
   bool volumes = false;
   bool without_legend = false;
   bool without_labels = false;
@@ -51,6 +53,10 @@ void add_options(CommandLine& app, RenderOptions& options) {
            "place it looks at (x,y,z,fx,fy,fz), and its up direction (x,y,z,fx,fy,fz,ux,uy,uz)");
   add_text(app, "--up", options.up, "AXIS", "The axis that points up, z or y (default: the scene's, or z)");
   add_text(app, "--receiver", options.receiver, "NAME", "Draw this receiver only");
+  add_text(
+      app, "--colour", options.colour, "WHAT",
+      "Colour receivers by region (default), or by irradiance, which has a scale of its own for each light and no\n"
+      "volumes before it without --volumes; of scenes in space, as .png or .html");
   app.add_flag("--volumes", options.volumes, "Also draw volumes of blockers that are several convex parts");
   app.add_flag("--no-legend", options.without_legend, "Leave the legend out");
   app.add_flag("--no-labels", options.without_labels,
@@ -118,6 +124,9 @@ CameraPlace camera_place(const std::string& camera) {
 
 PictureOptions picture_options(const RenderOptions& options) {
   PictureOptions picture;
+  if (options.colour != "region" && options.colour != "irradiance") {
+    throw UsageError("--colour: found '" + options.colour + "', expected region or irradiance");
+  }
   if (!picture_format(options.out)) {
     throw UsageError("--out " + options.out + ": expected a file that ends in " + endings);
   }
@@ -133,6 +142,25 @@ PictureOptions picture_options(const RenderOptions& options) {
     picture.camera = camera_place(options.camera);
   }
   return picture;
+}
+
+bool shows_irradiance(const RenderOptions& options) {
+  return options.colour == "irradiance";
+}
+
+/// What cannot be coloured by irradiance.
+void check_colour(const RenderOptions& options, int dimension, bool is_folder) {
+  if (!shows_irradiance(options)) return;
+  if (dimension == 2) {
+    throw UnsupportedError(options.scene + ": irradiance in scenes of dimension 2 is not available");
+  }
+  if (is_folder) {
+    throw UnsupportedError(
+        options.scene + ": a folder of results holds no irradiance to colour receivers by; give the " + "scene file");
+  }
+  if (picture_format(options.out) == PictureFormat::gltf) {
+    throw UnsupportedError(options.out + ": colours of irradiance are not written as .gltf; take .png or .html");
+  }
 }
 
 /// What makes sense in space may make none in the plane, and the other way round.
@@ -174,6 +202,7 @@ ExitCode render_folder(const RenderOptions& options, const PictureOptions& pictu
                      ": the folder holds no manifest.json; expected a folder that a command of gnomon has written");
   }
   check_dimension(options, result_dimension(options.scene));
+  check_colour(options, result_dimension(options.scene), true);
   require_names(options, result_names(options.scene));
   render_result(options.scene, options.out, picture);
   return ExitCode::done;
@@ -186,10 +215,12 @@ std::string shown_light(const RenderOptions& options, const Scene& scene) {
   return std::visit(first, scene);
 }
 
-/// Parts of one blocker hide each other, and their umbrae are not the umbra of the whole.
+/// Parts of one blocker hide each other, and their umbrae are not the umbra of the whole. Irradiance behind volumes
+/// would have other colours than the scale.
 std::vector<ScenePair> drawn_pairs(const RenderOptions& options, const Scene& scene, std::vector<ScenePair> pairs) {
   const auto* space = std::get_if<SpaceScene>(&scene);
   if (!space || options.volumes) return pairs;
+  if (shows_irradiance(options)) return {};
   std::erase_if(pairs, [&](const ScenePair& p) { return p.blocker != space->blockers[p.blocker_index].name; });
   return pairs;
 }
@@ -207,6 +238,7 @@ void warn_of_missing(const std::vector<ScenePair>& all, const std::vector<SceneP
 ExitCode render_scene_file(const RenderOptions& options, const PictureOptions& picture) {
   const Scene scene = scene_file_with_warnings(options.scene);
   check_dimension(options, dimension(scene));
+  check_colour(options, dimension(scene), false);
   const std::string light = shown_light(options, scene);
   const std::vector<ScenePair> all = scene_pairs(scene, {light, options.blocker});
   const std::vector<ScenePair> pairs = drawn_pairs(options, scene, all);
@@ -218,6 +250,10 @@ ExitCode render_scene_file(const RenderOptions& options, const PictureOptions& p
   }
   ShadowResult result = computed_shadows(scene, pairs, box, effort);
   result.receivers = std::move(receivers);
+  if (shows_irradiance(options)) {
+    result.painted = painted_receivers(std::get<SpaceScene>(scene), result.receivers, effort);
+    if (result.painted.empty()) print_warning("the picture shows no irradiance: no receiver is divided");
+  }
   render_scene(result, options.out, picture);
   warn_of_missing(all, pairs, result);
   return ExitCode::done;

@@ -45,8 +45,9 @@ struct BlockerSet::Content {
   std::vector<Mate> mates;  ///< of the edges that start at the points; none where several blockers have an edge
   std::vector<Shape> shapes;
   std::vector<ConvexSolid> solids;
-  BoxHierarchy boxes;  ///< of the shapes; empty where these are few
-  double largest = 0;  ///< absolute coordinate
+  BoxHierarchy boxes;           ///< of the shapes; empty where these are few
+  std::vector<Box3> few_boxes;  ///< of the shapes where these are few
+  double largest = 0;           ///< absolute coordinate
 
   std::span<const Point3> corners(const Shape& shape) const { return {points.data() + shape.first, shape.count}; }
 
@@ -60,8 +61,15 @@ struct BlockerSet::Content {
   /// The same for a point: every blocker that it is within rounding of (resting_point), ascending, and some others.
   void collect_near(const Point3& p, std::vector<std::uint32_t>& found) const;
 
-  /// Replaces `found` by all blockers.
-  void collect_all(std::vector<std::uint32_t>& found) const;
+  /// Replaces `found` by all blockers but solids, which have many facets to look at, whose boxes do not meet: where
+  /// they are few.
+  template <class MayMeet>
+  void collect_few(const MayMeet& may_meet, std::vector<std::uint32_t>& found) const {
+    found.clear();
+    for (std::uint32_t b = 0; b < shapes.size(); ++b) {
+      if (shapes[b].solid < 0 || may_meet(few_boxes[b])) found.push_back(b);
+    }
+  }
 };
 
 }  // namespace gnomon

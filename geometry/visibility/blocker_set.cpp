@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <tuple>
 
 #include "geometry/bodies/boxes.h"
@@ -149,7 +148,11 @@ BlockerSet::BlockerSet(std::span<const ConvexBlocker> blockers) {
     std::visit([&](const auto& shape) { append(*content, shape); }, blocker);
   }
   find_mates(*content);
-  if (blockers.size() >= smallest_tree) content->boxes = BoxHierarchy(boxes);
+  if (blockers.size() >= smallest_tree) {
+    content->boxes = BoxHierarchy(boxes);
+  } else {
+    content->few_boxes = std::move(boxes);
+  }
   content_ = std::move(content);
 }
 
@@ -158,30 +161,28 @@ std::size_t BlockerSet::size() const {
 }
 
 void BlockerSet::Content::collect(const LightPyramid& pyramid, std::vector<std::uint32_t>& found) const {
-  if (boxes.empty()) return collect_all(found);
-  boxes.search([&](const Box3& box) { return may_meet(box, pyramid); }, found);
+  const auto meets = [&](const Box3& box) { return may_meet(box, pyramid); };
+  if (boxes.empty()) return collect_few(meets, found);
+  boxes.search(meets, found);
   std::sort(found.begin(), found.end());
 }
 
 void BlockerSet::Content::collect_along(const SightLine& line, std::vector<std::uint32_t>& found) const {
-  if (boxes.empty()) return collect_all(found);
   const Point3 origin = line.ends ? line.from : Point3{0, 0, 0};
   const Way way{line.from, sight::operator-(line.to, origin), line.ends ? 1 : HUGE_VAL};
-  boxes.search([&](const Box3& box) { return may_meet(box, way); }, found);
+  const auto meets = [&](const Box3& box) { return may_meet(box, way); };
+  if (boxes.empty()) return collect_few(meets, found);
+  boxes.search(meets, found);
 }
 
 void BlockerSet::Content::collect_near(const Point3& p, std::vector<std::uint32_t>& found) const {
-  if (boxes.empty()) return collect_all(found);
   const double size = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
   const double off = 16 * sight::unit * size;
   const Box3 near{{p.x - off, p.y - off, p.z - off}, {p.x + off, p.y + off, p.z + off}};
-  boxes.search([&](const Box3& box) { return overlap(box, near); }, found);
+  const auto meets = [&](const Box3& box) { return overlap(box, near); };
+  if (boxes.empty()) return collect_few(meets, found);
+  boxes.search(meets, found);
   std::sort(found.begin(), found.end());
-}
-
-void BlockerSet::Content::collect_all(std::vector<std::uint32_t>& found) const {
-  found.resize(shapes.size());
-  std::iota(found.begin(), found.end(), 0U);
 }
 
 }  // namespace gnomon

@@ -23,9 +23,11 @@
 
 #include "gnomon/flatland_partition.h"
 #include "gnomon/flatland_regions.h"
+#include "gnomon/irradiance.h"
 #include "gnomon/pair.h"
 #include "gnomon/point.h"
 #include "gnomon/receiver_mesh.h"
+#include "gnomon/reflection.h"
 #include "gnomon/scene.h"
 #include "gnomon/shadow_mesh.h"
 #include "gnomon/shadow_volume.h"
@@ -84,6 +86,18 @@ struct ReceiverResult {
   ReceiverMesh mesh;
   std::vector<double> visible_fractions = {};  ///< of each vertex, if it was asked for
   std::string side = receiver;                 ///< the receiver, or its side, that the piece belongs to
+  std::vector<Irradiance> irradiance = {};     ///< [W/m²] of each point of mesh.drawing(), if there is an eye
+  std::vector<RadianceRgb> radiance = {};      ///< the same: reflected of this light to the eye
+};
+
+/// One side of a receiver in triangles that are fine enough to be painted by what they receive of one light.
+struct PaintedReceiver {
+  std::uint32_t light_id = 0;  ///< index into SpaceScene::lights
+  std::string light;
+  std::string side;  ///< the receiver, or its side
+  std::vector<Point3> points;
+  std::vector<Irradiance> irradiance;                     ///< [W/m²] of each point, as its own face has it
+  std::vector<std::array<std::uint32_t, 3>> triangles{};  ///< counterclockwise seen from the front
 };
 
 /// The pieces of one side of a receiver, one after the other, that receive of one light.
@@ -106,6 +120,8 @@ struct ShadowResult {
   std::vector<MergedResult> merged = {};  ///< dimension 3: blockers of several parts, if asked for
   /// Dimension 3: receivers divided by what they receive of a light, where that is supported. Light by light.
   std::vector<ReceiverResult> receivers = {};
+  /// Dimension 3: sides of receivers that are painted by irradiance in place of regions, if asked for.
+  std::vector<PaintedReceiver> painted = {};
 };
 
 }  // namespace gnomon

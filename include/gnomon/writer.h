@@ -127,14 +127,23 @@ struct GridValues {
   std::vector<std::uint8_t> region;
   std::vector<double> visible_fraction;
   std::vector<double> error_bound;
+  std::vector<double> irradiance = {};              ///< [W/m²]; none where points have no normal
+  std::vector<double> irradiance_error_bound = {};  ///< the same
+};
+
+/// What the points of a grid reflect to an eye of all lights together [W/(m² sr)]; red, green and blue point by point.
+struct GridRadiance {
+  std::vector<double> radiance;
+  std::vector<double> error_bound;
 };
 
 /// Writes a grid with the point arrays region, visible_fraction and error_bound of every light as VTK image data
-/// (.vti); written beside the file and renamed.
+/// (.vti); where they are known with irradiance and irradiance_error_bound of every light, and with radiance and
+/// radiance_error_bound; written beside the file and renamed.
 ///
-/// Requires: as many values as points.
+/// Requires: as many values as points, of radiance three times as many.
 /// Throws:   std::runtime_error naming the file and the cause.
 void write_grid(const PointGrid& grid, std::span<const GridValues> values, const Scene& scene,
-                const std::filesystem::path& file);
+                const std::filesystem::path& file, const GridRadiance& radiance = {});
 
 }  // namespace gnomon

@@ -1,9 +1,10 @@
 #include "shading/image/light_source.h"
 
 #include <cmath>
+#include <numbers>
 
-#include "gnomon/errors.h"
 #include "shading/receiver_grid.h"
+#include "shading/reflection/emission.h"
 #include "shading/reflection/sight.h"
 
 namespace gnomon::image {
@@ -20,7 +21,6 @@ double distance(const Point3& a, const Point3& b) {
 }
 
 std::vector<LightSample> samples_of(const LinearLight& light, std::uint32_t count) {
-  if (!is_isotropic(light.emission)) throw PreconditionError("a light that does not shine alike has no points");
   std::vector<LightSample> samples;
   for (std::uint32_t i = 0; i < count; ++i) {
     samples.push_back({between(light.start, light.end, (i + 0.5) / count), distance(light.start, light.end) / count});
@@ -66,13 +66,16 @@ std::vector<LightSample> samples_of(const AreaLight& light, std::uint32_t count)
   return samples;
 }
 
-/// What the point shines towards another one.
-double weight_towards(const LightSample& sample, const Point3& p) {
-  if (!sample.is_flat) return sample.weight;
-  const double r = distance(sample.place, p);
-  const auto& [place, weight, n, is_flat, two_sided] = sample;
-  const double cosine = ((p.x - place.x) * n.x + (p.y - place.y) * n.y + (p.z - place.z) * n.z) / r;
-  return weight * (two_sided ? std::fabs(cosine) : std::fmax(cosine, 0));
+/// What the emission of a linear light leaves of 1 from a place on it towards another one; shades are not asked.
+double emission_towards(const LinearLight& light, const Point3& place, const Point3& p) {
+  const shading::Vector axis{light.end.x - light.start.x, light.end.y - light.start.y, light.end.z - light.start.z};
+  const shading::Vector way{p.x - place.x, p.y - place.y, p.z - place.z};
+  const double across = shading::length(cross(axis, way)), along = std::fabs(dot(axis, way));
+  if (across == 0 && along == 0) return 1;  // at the very place, where irradiance is infinite
+  const double beta = std::atan2(along, across);
+  const auto& [exponent, flaps, shade] = light.emission;
+  if (flaps && beta > *flaps * std::numbers::pi / 180) return 0;
+  return std::pow(std::cos(beta), exponent);
 }
 
 Bounded in_bounds(const Irradiance& e) {
@@ -91,14 +94,27 @@ std::vector<LightSample> light_samples(const Light& light, std::uint32_t count) 
   return {};
 }
 
+/// What the point shines towards another one.
+double LightSource::weight_towards(const LightSample& sample, const Point3& p) const {
+  if (shining_) return sample.weight * emission_towards(*shining_, sample.place, p);
+  if (!sample.is_flat) return sample.weight;
+  const double r = distance(sample.place, p);
+  const auto& [place, weight, n, is_flat, two_sided] = sample;
+  const double cosine = ((p.x - place.x) * n.x + (p.y - place.y) * n.y + (p.z - place.z) * n.z) / r;
+  return weight * (two_sided ? std::fabs(cosine) : std::fmax(cosine, 0));
+}
+
 LightSource::LightSource(const SceneLight& light, const PreparedObstacles& obstacles, std::uint32_t points) {
   if (points > 0) samples_ = light_samples(light.shape, points);
+  const auto* linear = std::get_if<LinearLight>(&light.shape);
+  if (linear && !samples_.empty() && !is_isotropic(linear->emission)) shining_ = *linear;
   if (samples_.empty()) reflections_.emplace_back(light.shape, obstacles);
   for (const LightSample& sample : samples_) reflections_.emplace_back(PointLight{sample.place}, obstacles);
 }
 
 Reflection LightSource::received(const ReceiverPoint& receiver, const View& view, ReflectionModel model, int exponent) {
   if (samples_.empty()) return reflections_.front().received(receiver, view, model, exponent);
+  if (shining_ && !shading::is_shone_at(*shining_, view.point)) return {};
   Bounded lit, lobe;
   for (std::size_t i = 0; i < samples_.size(); ++i) {
     const double weight = weight_towards(samples_[i], view.point);

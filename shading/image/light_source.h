@@ -3,6 +3,7 @@
 /// A light as pictures ask it: as it is, or as points. Private to the libraries.
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "gnomon/reflection.h"
@@ -23,7 +24,6 @@ struct LightSample {
 /// its cells most like squares, over the smallest rectangle along the first side; of other polygons those on it, each
 /// for as much of its area.
 /// Exactness: rounded.
-/// Throws:    PreconditionError for a linear light that does not shine alike in all directions.
 std::vector<LightSample> light_samples(const Light& light, std::uint32_t count);
 
 /// What one light gives, exactly visible in every case.
@@ -32,14 +32,18 @@ class LightSource {
   /// `points`: how many points stand for a linear or area light; 0 asks for the light itself.
   LightSource(const SceneLight& light, const PreparedObstacles& obstacles, std::uint32_t points);
 
-  /// Exactness: of the light, or of its points with these weights: with error bounds.
+  /// Points of a linear light have its emission, each from its own place; its shade is decided exactly for all of them.
+  /// Exactness: of the light, or of its points with these weights, which are rounded: with error bounds.
   Reflection received(const ReceiverPoint& receiver, const View& view, ReflectionModel model, int exponent);
 
   std::size_t answers() const;
   std::size_t exact_answers() const;
 
  private:
-  std::vector<LightSample> samples_;  ///< none: the light itself
+  double weight_towards(const LightSample& sample, const Point3& p) const;
+
+  std::optional<LinearLight> shining_;  ///< of points: the light that does not shine alike in all directions
+  std::vector<LightSample> samples_;    ///< none: the light itself
   std::vector<LightReflection> reflections_;
 };
 

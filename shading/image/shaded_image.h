@@ -54,7 +54,6 @@ struct ShadedImage {
 ///             without rounding. Interpolated radiance has the bound of what is interpolated.
 /// Returns:    the same for any number of threads.
 /// Requires:   a scene of space with a camera.
-/// Throws:     PreconditionError if points are asked for of a light that does not shine alike in all directions.
 ShadedImage shaded_image(const SpaceScene& scene, const ImageOptions& options,
                          const std::function<void(std::size_t pixels)>& on_progress);
 

@@ -60,7 +60,7 @@ class ArcMoments {
   /// On to the order after the next.
   void step() {
     order_ += 2;
-    value_ = (end_ - start_ + Number(order_ - 1.0) * square_ * value_) / Number(double(order_));
+    value_ = folded(order_ - 1.0, square_, value_, end_ - start_, order_);
     start_ = start_ * start_square_;
     end_ = end_ * end_square_;
   }

@@ -3,6 +3,7 @@
 /// What a visible part of an area light gives, for numbers of either level. Private to the libraries.
 
 #include "shading/reflection/lobe.h"
+#include "shading/reflection/paired_moments.h"
 
 namespace gnomon::shading {
 
@@ -41,16 +42,18 @@ template <class Number>
 class AreaMoments {
  public:
   AreaMoments(const SeenBoundary<Number>& seen, const Vector3<Number>& w, int order)
-      : arcs_(seen.before_mirror), closing_(seen.closing) {
-    for (const Arc<Number>& arc : arcs_) {
-      heights_.push_back(dot(w, arc.axis));
-      moments_.emplace_back(arc_axis(arc, w), (order + 1) % 2);
-    }
-    if (order % 2 == 0) {
-      value_ = closing_;
+      : arcs_(seen.before_mirror), along_(arc_sums(arcs_, w, order)) {
+    const bool is_even = order % 2 == 0;
+    if (is_even) {
+      value_ = seen.closing;
       for (const Arc<Number>& arc : arcs_) value_ = value_ + triangle_angle(w, arc);
     }
-    for (int k = order % 2 == 0 ? 2 : 1; k <= order; k += 2) step(k);
+    int k = is_even ? 2 : 1;
+    for (const Number& sum : along_.sums) {
+      // On the arcs that close, m is R or its opposite, and D_0 is all that there is of D.
+      value_ = folded(k - 1.0, Number(1.0), value_, k == 1 ? sum + seen.closing : sum, k + 1.0);
+      k += 2;
+    }
   }
 
   const Number& value() const { return value_; }
@@ -58,25 +61,13 @@ class AreaMoments {
   /// The sum of N . m times D of the order after.
   Number sum_along(const Vector3<Number>& normal) const {
     Number sum = 0.0;
-    for (std::size_t i = 0; i < arcs_.size(); ++i) sum = sum + dot(normal, arcs_[i].axis) * moments_[i].value();
+    for (std::size_t i = 0; i < arcs_.size(); ++i) sum = sum + dot(normal, arcs_[i].axis) * along_.last[i];
     return sum;
   }
 
  private:
-  /// On the arcs that close, m is R or its opposite, and D_0 is all that there is of D.
-  void step(int k) {
-    Number sum = k == 1 ? closing_ : Number(0.0);
-    for (std::size_t i = 0; i < arcs_.size(); ++i) {
-      sum = sum + heights_[i] * moments_[i].value();
-      moments_[i].step();
-    }
-    value_ = (Number(k - 1.0) * value_ + sum) / Number(k + 1.0);
-  }
-
   const std::vector<Arc<Number>>& arcs_;
-  Number closing_;
-  std::vector<Number> heights_;
-  std::vector<ArcMoments<Number>> moments_;
+  ArcSums<Number> along_;
   Number value_ = 0.0;
 };
 

@@ -5,10 +5,16 @@ namespace {
 
 using BoundedVector = Vector3<Bounded>;
 
+/// Bound. The length rounds by less than 3 u of itself, and so do parts of it by 4 u. A vector whose coordinates are
+/// off by a small part of its length turns by no more than that part times the root of 3, and a coordinate moves with
+/// it.
 BoundedVector unit_direction(const SightDirection& d) {
   const Vector v = of_size_one(vector(d));
-  const double off = d.error * length_above(v);
-  return unit_of(BoundedVector{{v.x, off}, {v.y, off}, {v.z, off}});
+  const double off = d.error * length_above(v), size = length(v);
+  if (!(off < 0x1p-10 * size)) return unit_of(BoundedVector{{v.x, off}, {v.y, off}, {v.z, off}});
+  const double moved = 2.8 * off / size;
+  const auto part = [&](double x) { return Bounded(x / size, moved + 5 * unit * std::fabs(x / size)); };
+  return {part(v.x), part(v.y), part(v.z)};
 }
 
 Arc<Bounded> arc_between(const BoundedVector& a, const BoundedVector& b, const BoundedVector& axis) {

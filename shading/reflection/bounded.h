@@ -9,6 +9,9 @@
 
 #include "shading/vector.h"
 
+// These are a few instructions each; as calls they would take most of the time.
+#define GNOMON_SHORT [[gnu::always_inline]]
+
 namespace gnomon::shading {
 
 /// A double that is off by at most `error` from the real number it stands for; the error may be infinite.
@@ -40,21 +43,21 @@ inline double final_bound(const Bounded& x) {
   return bound >= 0 ? bound : HUGE_VAL;
 }
 
-inline Bounded operator-(const Bounded& a) {
+GNOMON_SHORT inline Bounded operator-(const Bounded& a) {
   return {-a.value, a.error};
 }
 
-inline Bounded operator+(const Bounded& a, const Bounded& b) {
+GNOMON_SHORT inline Bounded operator+(const Bounded& a, const Bounded& b) {
   const double value = a.value + b.value;
   return {value, a.error + b.error + unit * std::fabs(value)};
 }
 
-inline Bounded operator-(const Bounded& a, const Bounded& b) {
+GNOMON_SHORT inline Bounded operator-(const Bounded& a, const Bounded& b) {
   return a + -b;
 }
 
 /// What underflows is not taken for an exact 0.
-inline Bounded operator*(const Bounded& a, const Bounded& b) {
+GNOMON_SHORT inline Bounded operator*(const Bounded& a, const Bounded& b) {
   const double value = a.value * b.value;
   const double error =
       std::fabs(a.value) * b.error + (std::fabs(b.value) + b.error) * a.error + unit * std::fabs(value);
@@ -62,7 +65,7 @@ inline Bounded operator*(const Bounded& a, const Bounded& b) {
   return {value, is_lost ? std::numeric_limits<double>::denorm_min() : error};
 }
 
-inline Bounded operator/(const Bounded& a, const Bounded& b) {
+GNOMON_SHORT inline Bounded operator/(const Bounded& a, const Bounded& b) {
   const double least = std::fabs(b.value) - b.error;
   if (!(least > least_divisor)) return {0, HUGE_VAL};
   const double value = a.value / b.value;
@@ -80,7 +83,10 @@ inline Bounded sqrt(const Bounded& a) {
 /// the origin; the library's function errs by less than 2 u.
 inline Bounded atan2(const Bounded& y, const Bounded& x) {
   const double value = std::atan2(y.value, x.value);
-  const double away = std::hypot(x.value, y.value) - x.error - y.error;
+  // Squares that underflow leave less than the least divisor; those that overflow need more care.
+  const double squared = x.value * x.value + y.value * y.value;
+  const double apart = squared < HUGE_VAL ? std::sqrt(squared) : std::hypot(x.value, y.value);
+  const double away = apart - x.error - y.error;
   const bool may_pass_half_a_turn = x.value - x.error < 0 && std::fabs(y.value) <= y.error;
   if (!(away > least_divisor) || may_pass_half_a_turn) return {value, HUGE_VAL};
   const double across = (std::fabs(x.value) + x.error) * y.error + (std::fabs(y.value) + y.error) * x.error;
@@ -105,6 +111,22 @@ inline Bounded positive_part(const Bounded& a) {
 /// Off by so much more.
 inline Bounded widened(const Bounded& a, double error) {
   return {a.value, a.error + error};
+}
+
+/// (top square a + b) / below, as long recurrences take it: all factors of `a` are one number, and nothing is divided
+/// but 1.
+/// Bound. 1 / below, top / below and each product and sum of doubles rounds by u: the factor of `a` is off by 3 u of
+/// itself, b / below by 2 u and the difference it may come from.
+GNOMON_SHORT inline Bounded folded(double top, const Bounded& square, const Bounded& a, const Bounded& b,
+                                   double below) {
+  const double over = 1 / below, share = top * over;
+  const double factor = share * square.value;
+  const double first = factor * a.value, second = b.value * over;
+  const double value = first + second;
+  const double error = share * square.error * (std::fabs(a.value) + a.error) + std::fabs(factor) * a.error +
+                       b.error * over + unit * (4 * std::fabs(first) + 2 * std::fabs(second) + std::fabs(value));
+  if (value != 0 || error != 0) return {value, error};
+  return (Bounded(top) * square * a + b) / Bounded(below);  // an exact 0, or what underflows
 }
 
 inline double middle(const Bounded& a) {
@@ -132,3 +154,5 @@ inline Bounded bounded(const Bounded& a) {
 }
 
 }  // namespace gnomon::shading
+
+#undef GNOMON_SHORT

@@ -54,6 +54,9 @@ Precise operator+(const Precise& a, const Precise& b);
 Precise operator-(const Precise& a, const Precise& b);
 Precise operator*(const Precise& a, const Precise& b);
 Precise operator/(const Precise& a, const Precise& b);
+
+/// As of Bounded.
+inline Precise folded(double top, const Precise& square, const Precise& a, const Precise& b, double below);
 Precise sqrt(const Precise& a);  ///< of the part that is not negative
 Precise atan2(const Precise& y, const Precise& x);
 Precise cos(const Precise& a);
@@ -67,5 +70,9 @@ Precise pi(const Precise&);
 
 /// The double in the middle, and at least how far the interval reaches from it.
 Bounded bounded(const Precise& a);
+
+inline Precise folded(double top, const Precise& square, const Precise& a, const Precise& b, double below) {
+  return (b + Precise(top) * square * a) / Precise(below);
+}
 
 }  // namespace gnomon::shading

@@ -47,8 +47,8 @@ inline Irradiance not_negative(const Bounded& x) {
 /// The same lengths times 2^exponent, where integrals fall with that power of them.
 inline Irradiance in_true_size(const Irradiance& e, int falls_by) {
   if (e.value == 0 && e.error_bound == 0) return {};
-  const double value = std::scalbn(e.value, -falls_by);
-  return {value, value < HUGE_VAL ? with_underflow(std::scalbn(e.error_bound, -falls_by)) : HUGE_VAL};
+  const double value = times_two_to(e.value, -falls_by);
+  return {value, value < HUGE_VAL ? with_underflow(times_two_to(e.error_bound, -falls_by)) : HUGE_VAL};
 }
 
 /// An infinite error is not narrow, though the peak may have come out infinite as well.

@@ -9,6 +9,18 @@
 
 namespace gnomon::shading {
 
+/// The sum of three products, whose bound is added up at once. An exact 0, and what underflows to it, go the long way.
+inline Bounded dot(const Vector3<Bounded>& a, const Vector3<Bounded>& b) {
+  const double x = a.x.value * b.x.value, y = a.y.value * b.y.value, z = a.z.value * b.z.value;
+  const double two = x + y, value = two + z;
+  const auto off = [](const Bounded& p, const Bounded& q) {
+    return std::fabs(p.value) * q.error + (std::fabs(q.value) + q.error) * p.error;
+  };
+  const double rounded = std::fabs(x) + std::fabs(y) + std::fabs(z) + std::fabs(two) + std::fabs(value);
+  const double error = (off(a.x, b.x) + off(a.y, b.y)) + (off(a.z, b.z) + unit * rounded);
+  return error != 0 ? Bounded(value, error) : a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
 template <class Number>
 Vector3<Number> plus(const Vector3<Number>& a, const Vector3<Number>& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
@@ -27,6 +39,18 @@ Vector3<Number> times(const Number& s, const Vector3<Number>& a) {
 template <class Number>
 Vector3<Number> over(const Vector3<Number>& a, const Number& s) {
   return {a.x / s, a.y / s, a.z / s};
+}
+
+/// The same with one reciprocal for what its parts have in common.
+inline Vector3<Bounded> over(const Vector3<Bounded>& a, const Bounded& s) {
+  const double least = std::fabs(s.value) - s.error;
+  if (!(least > least_divisor)) return {{0, HUGE_VAL}, {0, HUGE_VAL}, {0, HUGE_VAL}};
+  const double grown = 1 / least;
+  const auto part = [&](const Bounded& x) {
+    const double value = x.value / s.value;
+    return Bounded(value, (x.error + std::fabs(value) * s.error) * grown + unit * std::fabs(value));
+  };
+  return {part(a.x), part(a.y), part(a.z)};
 }
 
 template <class Number>

@@ -1,5 +1,7 @@
 #include <benchmark/benchmark.h>
 
+#include "apps/proof/report/reflection_peers.h"
+#include "apps/proof/report/table_one.h"
 #include "geometry/visibility/fast_linear_visibility.h"
 #include "geometry/visibility/fast_visibility.h"
 #include "shading/reflection/area_reflection.h"
@@ -50,6 +52,23 @@ void reflection_lamp_blinn(benchmark::State& state) {
   lamp(state, ReflectionModel::blinn);
 }
 
+/// What points on a light take for an error, beside gnomon: a counter for each task, in microseconds.
+void reflection_points_with_rays(benchmark::State& state) {
+  for (auto unused : state) {
+    for (const report::Timing& timing : report::reflection_peers(report::Effort::quick)) {
+      state.counters[timing.task] = 1e6 * timing.seconds.median;
+    }
+  }
+}
+
+void reflection_sphere_picture(benchmark::State& state) {
+  for (auto unused : state) {
+    benchmark::DoNotOptimize(report::sphere_picture(static_cast<std::uint32_t>(state.range(0))));
+  }
+}
+
+BENCHMARK(reflection_points_with_rays)->Iterations(1);
+BENCHMARK(reflection_sphere_picture)->Arg(512)->Iterations(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(reflection_point)->Arg(10)->Arg(50)->Arg(200)->Arg(10000);
 BENCHMARK(reflection_line)->Arg(10)->Arg(50)->Arg(200)->Arg(10000);
 BENCHMARK(reflection_line_blinn)->Arg(50);

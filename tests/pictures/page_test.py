@@ -15,6 +15,7 @@ from chromium import Chromium
 GNOMON, EXAMPLES, CHROMIUM = (os.environ[name] for name in ("GNOMON", "EXAMPLES", "CHROMIUM"))
 
 LIT, PENUMBRA, UMBRA = (255, 247, 219), (120, 181, 227), (18, 56, 107)
+FULL = (251, 244, 136)  # the end of the scale of irradiance
 BLOCKER_IN_PLANE = (214, 94, 0)
 
 
@@ -209,6 +210,22 @@ class Pages(unittest.TestCase):
         shares = self.shares("light", "blockers", "penumbra volume", "umbra volume")
         self.assertAlmostEqual(shares["umbra"], 1 / 9, delta=0.01)
         self.expect_exact_shares(shares, "lamp")
+
+    def test_colour_receivers_by_irradiance_with_a_scale_for_each_light(self):
+        suns = [{"name": name, "shape": "direction", "direction": [0, 0, -1], "irradiance": e}
+                for name, e in (("sun", 5), ("moon", 2))]
+        self.open(scene(suns, [TABLE]), None, "--colour irradiance --camera top")
+        before = self.shown()
+        self.assertGreater(before[FULL], 5000)
+        self.assertEqual(before[LIT], 0)
+        self.browser.click(self.row("irradiance 5 W/m²"))
+        self.assertEqual(self.shown()[FULL], 0)
+        pressed = "[...document.querySelectorAll('#legend button')].filter(b => b.textContent.endsWith('W/m²'))" \
+                  ".map(b => b.getAttribute('aria-pressed')).join()"
+        self.assertNotIn("true", self.browser.value(pressed), "all rows of the scale tell that it is off")
+        self.browser.click(self.row("irradiance 5 W/m²"))
+        self.browser.key("l")
+        self.assertGreater(self.shown()[FULL], before[FULL] / 2, "the moon has a scale of its own")
 
     def test_colour_receivers_by_one_light_at_a_time(self):
         lamps = [lamp("lamp", 1, 4), lamp("lamp2", 1, 4, 3)]

@@ -12,6 +12,7 @@ from pixels import Pixels
 GNOMON = os.environ["GNOMON"]
 
 LIT, PENUMBRA, UMBRA = (255, 247, 219), (120, 181, 227), (18, 56, 107)
+FULL, NOTHING = (251, 244, 136), (35, 19, 77)  # the ends of the scale of irradiance
 LAMP = {"name": "lamp", "shape": "polygon", "vertices": [[-6, -1, 4], [-6, 1, 4], [-4, 1, 5], [-4, -1, 5]]}
 LAMP2 = {"name": "lamp2", "shape": "polygon", "vertices": [[4, -1, 5], [4, 1, 5], [6, 1, 4], [6, -1, 4]]}
 TILES = [{"name": f"tile {x} {y}", "shape": "polygon",
@@ -74,6 +75,17 @@ class Pictures(unittest.TestCase):
     def test_of_a_mesh_colour_its_receiver_by_all_facets_together(self):
         self.write([LAMP], [{"name": "roof", "shape": "mesh", "file": "roof.obj"}])
         self.expect_ratio(self.picture("a.scene.json", "--camera", "top"), "lamp")
+
+    def test_colour_receivers_by_irradiance_on_its_scale(self):
+        """A sun of 5 W/m^2 from above: what is lit has the end of the scale, the shadow its beginning."""
+        sun = {"name": "sun", "shape": "direction", "direction": [0, 0, -1], "irradiance": 5}
+        shelf = {"name": "shelf", "shape": "polygon", "vertices": [[20, 0, 2], [26, 0, 2], [26, 6, 2], [20, 6, 2]]}
+        floor = {"name": "floor", "shape": "polygon", "vertices": [[0, -9, 0], [40, -9, 0], [40, 9, 0], [0, 9, 0]]}
+        self.write([sun], [shelf], [floor])
+        seen_from_below = self.picture("a.scene.json", "--colour", "irradiance", "--camera", "60,0,60,20,0,0").histogram()
+        self.assertGreater(seen_from_below[FULL], 20 * seen_from_below[NOTHING])
+        self.assertGreater(seen_from_below[NOTHING], 300)
+        self.assertEqual(seen_from_below[LIT], 0)
 
     def test_of_a_folder_of_receivers_show_the_light_asked_for(self):
         self.write([LAMP, LAMP2], TILES)

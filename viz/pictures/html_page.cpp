@@ -3,6 +3,7 @@
 #include <vtkBase64Utilities.h>
 #include <vtkCellArrayIterator.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -58,6 +59,14 @@ std::vector<float> positions(vtkPolyData& data, const Point3& centre) {
   return values;
 }
 
+std::vector<std::uint8_t> levels(const std::vector<Color>& colors) {
+  std::vector<std::uint8_t> values;
+  for (const Color& color : colors) {
+    for (const double c : color) values.push_back(static_cast<std::uint8_t>(std::lround(255 * c)));
+  }
+  return values;
+}
+
 /// Convex cells as fans of triangles, and of every triangle its cell; lines as pairs.
 struct Simplices {
   std::vector<std::uint32_t> faces;
@@ -101,6 +110,7 @@ Json json(const PictureItem& item, const Point3& centre) {
                  {"opacity", item.look.opacity},
                  {"ambient", item.look.ambient},
                  {"width", item.look.line_width},
+                 {"colors", encoded(levels(item.point_colors))},
                  {"positions", encoded(positions(*item.data, item.in_corner ? Point3{} : centre))},
                  {"faces", encoded(parts.faces)},
                  {"cells", encoded(item.cell_names.empty() ? std::vector<std::uint32_t>{} : parts.cells)},

@@ -30,12 +30,14 @@ function gnomonPanel(data, picture) {
     button.appendChild(document.createTextNode(entry.text));
     button.addEventListener("click", function () {
       off.has(entry.layer) ? off.delete(entry.layer) : off.add(entry.layer);
-      button.setAttribute("aria-pressed", String(!off.has(entry.layer)));
+      rows.forEach(function (row) { // a scale has several rows
+        if (row.layer === entry.layer) row.button.setAttribute("aria-pressed", String(!off.has(entry.layer)));
+      });
       picture.changed();
     });
     line.appendChild(button);
     document.getElementById("legend").appendChild(line);
-    return {line: line, light: entry.light};
+    return {line: line, button: button, layer: entry.layer, light: entry.light};
   }
   const rows = data.legend.map(addRow);
   function showRows() {

@@ -34,9 +34,11 @@
   };
 
   const surfaceVertex = `
-    varying vec3 turned;
+    attribute vec3 tint;
+    varying vec3 turned, tinted;
     void main() {
       turned = normalMatrix * normal;
+      tinted = tint;
       gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
     }`;
   const surfaceFragment = `
@@ -44,13 +46,13 @@
     uniform float opacity, ambient, pass;
     uniform sampler2D opaqueDepth, peeledDepth;
     uniform vec2 resolution;
-    varying vec3 turned;
+    varying vec3 turned, tinted;
     void main() {
       vec2 here = gl_FragCoord.xy / resolution;
       if (pass >= 0.0 && gl_FragCoord.z > texture2D(opaqueDepth, here).r) discard;
       if (pass >= 1.0 && gl_FragCoord.z <= texture2D(peeledDepth, here).r + 2e-6) discard;
       float light = abs(dot(normalize(turned), normalize(vec3(0.25, 0.5, 0.85))));
-      gl_FragColor = vec4(color * (ambient + (1.0 - ambient) * (0.3 + 0.7 * light)), opacity);
+      gl_FragColor = vec4(color * tinted * (ambient + (1.0 - ambient) * (0.3 + 0.7 * light)), opacity);
     }`;
   // A line is a ribbon as wide as it is asked for, turned to the eye and a little before the surfaces it borders.
   const lineVertex = `
@@ -75,7 +77,7 @@
   function surfaceMaterial(item) {
     return new THREE.ShaderMaterial({
       uniforms: Object.assign({
-        color: {value: vector(item.color)}, opacity: {value: item.opacity}, ambient: {value: item.ambient}
+        color: {value: vector(item.colors ? [1, 1, 1] : item.color)}, opacity: {value: item.opacity}, ambient: {value: item.ambient}
       }, peeling),
       vertexShader: surfaceVertex, fragmentShader: surfaceFragment, side: THREE.DoubleSide,
       blending: THREE.NoBlending, polygonOffset: item.opacity === 1, polygonOffsetFactor: 1, polygonOffsetUnits: 1
@@ -94,11 +96,19 @@
   // --- geometry -------------------------------------------------------------------------------------------------------
 
   // Every triangle has corners of its own, so that facets stay flat.
-  function surfaceGeometry(positions, faces) {
+  // Colours of the points are levels from 0 to 255; without any the item's own is enough.
+  function surfaceGeometry(positions, faces, colors) {
     const corners = new Float32Array(3 * faces.length);
     faces.forEach(function (point, i) { corners.set(positions.subarray(3 * point, 3 * point + 3), 3 * i); });
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.BufferAttribute(corners, 3));
+    const tints = new Float32Array(3 * faces.length).fill(1);
+    if (colors.length) {
+      faces.forEach(function (point, i) {
+        for (let k = 0; k < 3; ++k) tints[3 * i + k] = colors[3 * point + k] / 255;
+      });
+    }
+    geometry.setAttribute("tint", new THREE.BufferAttribute(tints, 3));
     geometry.computeVertexNormals();
     return geometry;
   }
@@ -128,8 +138,9 @@
     const positions = new Float32Array(bytes(item.positions));
     const faces = new Uint32Array(bytes(item.faces));
     const lines = new Uint32Array(bytes(item.lines));
+    const colors = new Uint8Array(bytes(item.colors));
     const isSurface = faces.length > 0;
-    const mesh = isSurface ? new THREE.Mesh(surfaceGeometry(positions, faces), surfaceMaterial(item))
+    const mesh = isSurface ? new THREE.Mesh(surfaceGeometry(positions, faces, colors), surfaceMaterial(item))
                            : new THREE.Mesh(lineGeometry(positions, lines), lineMaterial(item));
     mesh.frustumCulled = false;
     mesh.userData = {item: item, isSurface: isSurface, cells: new Uint32Array(bytes(item.cells))};

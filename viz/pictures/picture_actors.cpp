@@ -2,9 +2,11 @@
 
 #include <vtkActor.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,10 +19,28 @@ namespace {
 
 constexpr double opacity_from_behind = 0.35;
 
+vtkSmartPointer<vtkPolyData> with_colors(vtkPolyData& data, const std::vector<Color>& colors) {
+  vtkNew<vtkUnsignedCharArray> levels;
+  levels->SetNumberOfComponents(3);
+  for (const Color& color : colors) {
+    for (const double c : color) levels->InsertNextValue(static_cast<unsigned char>(std::lround(255 * c)));
+  }
+  auto coloured = vtkSmartPointer<vtkPolyData>::New();
+  coloured->ShallowCopy(&data);
+  coloured->GetPointData()->SetScalars(levels);
+  return coloured;
+}
+
 vtkSmartPointer<vtkActor> actor_of(const PictureItem& item, double opacity, double pixel) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(item.data);
   mapper->ScalarVisibilityOff();
+  if (!item.point_colors.empty()) {
+    mapper->SetInputData(with_colors(*item.data, item.point_colors));
+    mapper->SetScalarVisibility(1);
+    mapper->SetScalarModeToUsePointData();
+    mapper->SetColorModeToDirectScalars();
+  }
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   vtkProperty* property = actor->GetProperty();

@@ -4,6 +4,7 @@
 #include <vtkFeatureEdges.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPolyDataAlgorithm.h>
 #include <vtkSphereSource.h>
 #include <vtkTubeFilter.h>
@@ -126,16 +127,18 @@ struct PaintedSide {
 
 /// The facets of one receiver share no points, so that each point has one normal. Faces and edges have the same points.
 PaintedSide side_of_facets(const PictureScene& scene, const PictureBlock& block) {
-  const auto faces = std::ranges::find_if(scene.divided_receivers, [&](const PictureBlock& other) {
+  const auto bears_faces = [&](const PictureBlock& other) {
     return other.path.at(1) == block.path.at(1) && other.path.at(2) == block.path.at(2) &&
            other.data->GetNumberOfPolys() > 0;
-  });
+  };
   const std::vector<Point3> points = points_of(*block.data);
   PaintedSide side{std::vector<Point3>(points.size())};
-  if (faces == scene.divided_receivers.end()) return side;
+  const auto faces = std::ranges::find_if(scene.divided_receivers, bears_faces);
+  if (!bears_faces(block) && faces == scene.divided_receivers.end()) return side;
+  vtkPolyData& data = *(bears_faces(block) ? block : *faces).data;
   vtkNew<vtkIdList> ids;
-  for (vtkIdType i = 0; i < faces->data->GetNumberOfCells(); ++i) {
-    faces->data->GetCellPoints(i, ids);
+  for (vtkIdType i = 0; i < data.GetNumberOfCells(); ++i) {
+    data.GetCellPoints(i, ids);
     Polygon polygon;
     for (const vtkIdType id : *ids) polygon.push_back(points.at(static_cast<std::size_t>(id)));
     const Point3 normal = polygon_plane(polygon).normal;
@@ -178,9 +181,33 @@ void add_regions(Items& items, const PictureScene& scene, const PictureBlock& bl
   }
 }
 
-void add_divided_receiver(Items& items, const PictureScene& scene, const PictureBlock& block) {
+/// The colours of irradiances that are all finite but at lights themselves.
+std::vector<Color> irradiance_colors(vtkPolyData& data, const RoundScale& scale) {
+  vtkDataArray* values = data.GetPointData()->GetArray("irradiance");
+  std::vector<Color> colors;
+  for (vtkIdType i = 0; values != nullptr && i < values->GetNumberOfTuples(); ++i) {
+    colors.push_back(colour_of_share(values->GetComponent(i, 0) / scale.top()));
+  }
+  return colors;
+}
+
+void add_painted_receiver(Items& items, const PictureScene& scene, const PictureBlock& block) {
   const std::optional<PaintedSide> side = painted_side(scene, block);
   if (!side) return;
+  const std::string& light = block.path.at(1);
+  PictureItem item{"irradiance on " + block.path.at(2),
+                   lifted(*block.data, *side, 1e-4 * scene.size),
+                   {palette.lit, 1, 1},
+                   "irradiance",
+                   light_mark(scene, light),
+                   side->front};
+  item.point_colors = irradiance_colors(*block.data, irradiance_scale(scene, light));
+  items.push_back(std::move(item));
+}
+
+void add_divided_receiver(Items& items, const PictureScene& scene, const PictureBlock& block) {
+  const std::optional<PaintedSide> side = painted_side(scene, block);
+  if (!side || is_painted(scene, block)) return;
   add_regions(items, scene, block, *side);
   for (const OrderedFacets& part : ordered_lines(*lifted(*block.data, *side, 3e-4 * scene.size))) {
     items.push_back(
@@ -285,9 +312,28 @@ std::string light_mark(const PictureScene& scene, const std::string& light) {
 }
 
 bool is_divided(const PictureScene& scene, const std::string& receiver, const std::string& light) {
-  return std::ranges::any_of(scene.divided_receivers, [&](const PictureBlock& block) {
+  const auto bears = [&](const PictureBlock& block) {
     return block.path.at(1) == light && block.path.at(2) == receiver && block.data->GetNumberOfPolys() > 0;
+  };
+  return std::ranges::any_of(scene.divided_receivers, bears) || std::ranges::any_of(scene.painted_receivers, bears);
+}
+
+bool is_painted(const PictureScene& scene, const PictureBlock& block) {
+  return std::ranges::any_of(scene.painted_receivers, [&](const PictureBlock& other) {
+    return other.path.at(1) == block.path.at(1) && other.path.at(2) == block.path.at(2);
   });
+}
+
+RoundScale irradiance_scale(const PictureScene& scene, const std::string& light) {
+  double largest = 0;
+  for (const PictureBlock& block : scene.painted_receivers) {
+    vtkDataArray* values = block.path.at(1) == light ? block.data->GetPointData()->GetArray("irradiance") : nullptr;
+    for (vtkIdType i = 0; values != nullptr && i < values->GetNumberOfTuples(); ++i) {
+      const double value = values->GetComponent(i, 0);
+      if (std::isfinite(value)) largest = std::max(largest, value);
+    }
+  }
+  return round_scale(largest);
 }
 
 std::vector<PictureItem> picture_items(const PictureScene& scene) {
@@ -295,6 +341,7 @@ std::vector<PictureItem> picture_items(const PictureScene& scene) {
   for (const PictureReceiver& receiver : scene.receivers) add_receiver(items, scene, receiver);
   for (const PictureBlock& mesh : scene.receiver_meshes) add_receiver_mesh(items, scene, mesh);
   for (const PictureBlock& block : scene.divided_receivers) add_divided_receiver(items, scene, block);
+  for (const PictureBlock& block : scene.painted_receivers) add_painted_receiver(items, scene, block);
   for (const PictureBlock& light : scene.lights) add_light(items, scene, light);
   for (const PictureSun& sun : scene.suns) add_sun(items, scene, sun);
   for (const PictureBlock& blocker : scene.blockers) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "viz/pictures/picture_scene.h"
+#include "viz/vtk/colour_map.h"
 #include "viz/vtk/palette.h"
 
 namespace gnomon::viz {
@@ -30,6 +31,7 @@ struct PictureItem {
   /// Surfaces are seen from the side of this normal only, and lines are faint from the other one.
   std::optional<PicturePlane> front = {};
   std::vector<std::string> cell_names = {};  ///< of the cells one by one, where they have names
+  std::vector<Color> point_colors = {};      ///< of the points one by one, in place of the look's, where they differ
   /// It has no place: an arrow of length 1 about the origin, to be drawn in the picture's upper right corner.
   bool in_corner = false;
 };
@@ -58,7 +60,13 @@ std::vector<PictureLabel> picture_labels(const PictureScene& scene, const Point3
 /// The mark of what is shown with one of several lights; empty where only one is shown.
 std::string light_mark(const PictureScene& scene, const std::string& light);
 
-/// True if the receiver bears the regions of the light.
+/// The scale of the irradiances that receivers are painted with under a light; the scales of lights differ.
+RoundScale irradiance_scale(const PictureScene& scene, const std::string& light);
+
+/// True of the block of a divided receiver in whose place irradiance is painted.
+bool is_painted(const PictureScene& scene, const PictureBlock& block);
+
+/// True if the receiver bears the regions of the light, or its irradiance.
 bool is_divided(const PictureScene& scene, const std::string& receiver, const std::string& light);
 
 }  // namespace gnomon::viz

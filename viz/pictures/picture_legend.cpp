@@ -11,6 +11,8 @@
 #include <vtkTextProperty.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <map>
 #include <vector>
 
@@ -148,12 +150,32 @@ void add_plain_receivers(std::vector<LegendEntry>& list, const PictureScene& sce
   }
 }
 
+std::string short_number(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.6g", value);
+  return text.data();
+}
+
+/// Of receivers that are painted by irradiance the scale of each light, the largest value first.
+void add_scales(std::vector<LegendEntry>& list, const PictureScene& scene) {
+  if (scene.painted_receivers.empty()) return;
+  for (const std::string& light : scene.light_names) {
+    const RoundScale scale = irradiance_scale(scene, light);
+    for (int k = scale.steps; k >= 0; --k) {
+      const std::string number = short_number(k * scale.step) + " W/m²";
+      list.push_back({k == scale.steps ? "irradiance " + number : number, colour_of_share(double(k) / scale.steps),
+                      LegendMark::filled, "irradiance", light_mark(scene, light)});
+    }
+  }
+}
+
 /// What is seen of divided receivers and of discontinuities, every region and order once, in the order of their
 /// numbers.
 void add_divisions(std::vector<LegendEntry>& list, const PictureScene& scene) {
   std::map<std::string, Color> orders;
   std::vector<RegionFacets> regions;
   for (const PictureBlock& block : scene.divided_receivers) {
+    if (is_painted(scene, block)) continue;
     for (const RegionFacets& part : region_facets(*block.data)) regions.push_back(part);
     for (const OrderedFacets& part : ordered_lines(*block.data)) orders.emplace(part.name, part.color);
   }
@@ -165,6 +187,7 @@ void add_divisions(std::vector<LegendEntry>& list, const PictureScene& scene) {
   for (const RegionFacets& part : regions) {
     add_once(list, {region_text(part.name), part.color, LegendMark::filled, part.name});
   }
+  add_scales(list, scene);
   for (const auto& [order, color] : orders) {
     add_once(list, {discontinuity_text(order), color, LegendMark::line, order});
   }

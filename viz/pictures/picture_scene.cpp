@@ -158,7 +158,10 @@ PictureScene picture_scene(const PictureSource& source) {
     if (block.kind == "blocker") scene.blockers.push_back(block);
     if (block.kind == "receiver") scene.receivers.push_back(receiver(block, points, scene.size));
     if (block.kind == "receiver_mesh") scene.receiver_meshes.push_back(block);
-    if (block.path.front() == "receivers") scene.divided_receivers.push_back(block);
+    if (block.path.front() == "receivers") {
+      const bool painted = block.kind == "receiver_irradiance";
+      (painted ? scene.painted_receivers : scene.divided_receivers).push_back(block);
+    }
     if (block.path.front() == "discontinuities") scene.discontinuities.push_back(block);
   }
   find_twins(scene.receivers);

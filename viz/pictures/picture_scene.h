@@ -38,6 +38,7 @@ struct PictureScene {
   std::vector<PictureBlock> umbras;
   std::vector<PictureBlock> penumbras;          ///< without the boundary they share with umbras
   std::vector<PictureBlock> divided_receivers;  ///< faces with their regions, edges with their orders
+  std::vector<PictureBlock> painted_receivers;  ///< triangles with their irradiance, in the place of regions
   std::vector<PictureBlock> discontinuities;    ///< surfaces with their orders
 };
 

@@ -16,7 +16,8 @@ namespace gnomon::viz {
 struct Block {
   std::vector<std::string> path;  ///< for instance {"volumes", "lamp", "table", "umbra"}
   std::string kind;               ///< light, blocker, receiver, volume, solid, extremal_planes, region,
-                                  ///< boundaries, receiver_faces, receiver_edges or discontinuities
+                                  ///< boundaries, receiver_faces, receiver_edges, receiver_irradiance or
+                                  ///< discontinuities
   Fields fields;                  ///< also in the field data of `data`
   vtkSmartPointer<vtkPointSet> data;
 

@@ -115,7 +115,7 @@ vtkSmartPointer<vtkPolyData> edges(const DiscontinuityResult& result, SideResult
   add_cell_arrays(*data, names);
   add_event_array(*data, events);
   if (drawing.chord_error > 0) add_arc_arrays(*data, side);
-  add_vertex_fractions(*data, drawing);
+  add_point_arrays(*data, drawing);
   return data;
 }
 

@@ -21,9 +21,11 @@ namespace gnomon {
 namespace {
 
 template <class Array, class Values>
-void add_array(vtkImageData& data, const std::string& name, const Values& values) {
+void add_array(vtkImageData& data, const std::string& name, const Values& values, int components = 1) {
+  if (values.empty()) return;
   vtkNew<Array> array;
   array->SetName(viz::xml_escaped(name).c_str());  // VTK writes names as they are
+  array->SetNumberOfComponents(components);
   array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
   std::copy(values.begin(), values.end(), array->GetPointer(0));
   data.GetPointData()->AddArray(array);
@@ -83,7 +85,7 @@ Point3 PointGrid::point(std::size_t index) const {
 }
 
 void write_grid(const PointGrid& grid, std::span<const GridValues> values, const Scene& scene,
-                const std::filesystem::path& file) {
+                const std::filesystem::path& file, const GridRadiance& radiance) {
   vtkNew<vtkImageData> data;
   data->SetDimensions(static_cast<int>(grid.shape[0]), static_cast<int>(grid.shape[1]),
                       static_cast<int>(grid.shape[2]));
@@ -93,7 +95,11 @@ void write_grid(const PointGrid& grid, std::span<const GridValues> values, const
     add_array<vtkUnsignedCharArray>(*data, "region" + light.suffix, light.region);
     add_array<vtkDoubleArray>(*data, "visible_fraction" + light.suffix, light.visible_fraction);
     add_array<vtkDoubleArray>(*data, "error_bound" + light.suffix, light.error_bound);
+    add_array<vtkDoubleArray>(*data, "irradiance" + light.suffix, light.irradiance);
+    add_array<vtkDoubleArray>(*data, "irradiance_error_bound" + light.suffix, light.irradiance_error_bound);
   }
+  add_array<vtkDoubleArray>(*data, "radiance", radiance.radiance, 3);
+  add_array<vtkDoubleArray>(*data, "radiance_error_bound", radiance.error_bound, 3);
   viz::add_field_data(*data->GetFieldData(), {{"producer", std::vector<std::string>{"gnomon"}},
                                               {"version", std::vector<std::string>{GNOMON_VERSION}},
                                               {"scene", std::vector<std::string>{facts(scene).source}},

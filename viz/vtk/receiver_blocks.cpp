@@ -6,6 +6,7 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "gnomon/receiver_mesh.h"
@@ -26,6 +27,19 @@ CellName face_cell(const ReceiverResult& piece, std::size_t face, std::size_t fi
   return cell;
 }
 
+/// An array with the numbers of each value; none without values.
+template <class Values, class Numbers>
+void add_point_array(vtkPointSet& data, const char* name, const Values& values, Numbers numbers) {
+  if (values.empty()) return;
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(static_cast<int>(numbers(values.front()).size()));
+  for (const auto& value : values) {
+    for (const double number : numbers(value)) array->InsertNextValue(number);
+  }
+  data.GetPointData()->AddArray(array);
+}
+
 }  // namespace
 
 SideDrawing side_drawing(SideResult side) {
@@ -40,6 +54,8 @@ SideDrawing side_drawing(SideResult side) {
       // Arcs bound umbrae, which they belong to.
       result.fractions.resize(result.points.size(), 0);
     }
+    result.irradiance.insert(result.irradiance.end(), piece.irradiance.begin(), piece.irradiance.end());
+    result.radiance.insert(result.radiance.end(), piece.radiance.begin(), piece.radiance.end());
     result.pieces.push_back(std::move(drawing));
   }
   return result;
@@ -60,12 +76,17 @@ Fields receiver_fields(const ShadowResult& frame, SideResult side, const SideDra
   return fields;
 }
 
-void add_vertex_fractions(vtkPointSet& data, const SideDrawing& drawing) {
-  if (drawing.fractions.empty()) return;
-  vtkNew<vtkDoubleArray> array;
-  array->SetName("visible_fraction");
-  for (const double fraction : drawing.fractions) array->InsertNextValue(fraction);
-  data.GetPointData()->AddArray(array);
+void add_point_arrays(vtkPointSet& data, const SideDrawing& drawing) {
+  add_point_array(data, "visible_fraction", drawing.fractions, [](double f) { return std::array{f}; });
+  add_point_array(data, "irradiance", drawing.irradiance, [](const Irradiance& e) { return std::array{e.value}; });
+  add_point_array(data, "irradiance_error_bound", drawing.irradiance,
+                  [](const Irradiance& e) { return std::array{e.error_bound}; });
+  add_point_array(data, "radiance", drawing.radiance, [](const RadianceRgb& r) {
+    return std::array{r[0].value, r[1].value, r[2].value};
+  });
+  add_point_array(data, "radiance_error_bound", drawing.radiance, [](const RadianceRgb& r) {
+    return std::array{r[0].error_bound, r[1].error_bound, r[2].error_bound};
+  });
 }
 
 void append_receiver_faces(std::vector<Block>& blocks, const ShadowResult& frame, SideResult side,
@@ -86,11 +107,26 @@ void append_receiver_faces(std::vector<Block>& blocks, const ShadowResult& frame
   data->SetPoints(vtk_points(drawing.points));
   data->SetPolys(cells);
   add_cell_arrays(*data, names);
-  add_vertex_fractions(*data, drawing);
+  add_point_arrays(*data, drawing);
   append_block(blocks, {{"receivers", side.front().light, side.front().side, "faces"},
                         "receiver_faces",
                         receiver_fields(frame, side, drawing),
                         data});
+}
+
+void append_painted_receiver(std::vector<Block>& blocks, const ShadowResult& frame, const PaintedReceiver& painted) {
+  vtkNew<vtkCellArray> cells;
+  for (const auto& triangle : painted.triangles) insert_cell(*cells, triangle);
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(vtk_points(painted.points));
+  data->SetPolys(cells);
+  SideDrawing arrays;
+  arrays.irradiance = painted.irradiance;
+  add_point_arrays(*data, arrays);
+  Fields fields = leaf_fields(frame, false);
+  fields.push_back({"light", std::vector<std::string>{painted.light}});
+  fields.push_back({"receiver", std::vector<std::string>{painted.side}});
+  append_block(blocks, {{"receivers", painted.light, painted.side, "irradiance"}, "receiver_irradiance", fields, data});
 }
 
 }  // namespace gnomon::viz

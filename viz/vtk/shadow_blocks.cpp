@@ -145,6 +145,7 @@ std::vector<Block> shadow_blocks(const ShadowResult& result) {
   for (const SideResult side : sides_of(result.receivers)) {
     append_receiver_faces(blocks, result, side, side_drawing(side));
   }
+  for (const PaintedReceiver& painted : result.painted) append_painted_receiver(blocks, result, painted);
   return blocks;
 }
 

@@ -86,7 +86,9 @@ ordered_json entry(const TableOneRow& row) {
           {"constant", row.constant},
           {"per_point", row.per_point},
           {"equal", row.equal()},
-          {"rms", row.rms}};
+          {"rms", row.rms},
+          {"points_at_256", row.points_at_256},
+          {"points_at_1000", row.points_at_1000}};
 }
 
 ordered_json entry(const Equivalent& e) {

@@ -128,6 +128,45 @@ void add_reflection(Findings& all, const Report& report) {
   ratios.add("a rectangle's Blinn lobe of exponent 50, beside Phong's", 25, beside("lamp_blinn", 50, "lamp_phong", 50));
 }
 
+/// The task of that name, whatever its size.
+const Timing* timing_of_any_size(const Report& report, const std::string& task) {
+  const auto found = std::ranges::find(report.timings, task, &Timing::task);
+  return found == report.timings.end() ? nullptr : &*found;
+}
+
+/// How much faster certified answers are than points on the light, for an error in the root mean square.
+void add_reflection_peers(Findings& all, const Report& report) {
+  struct PeerComparison {
+    const char *subject, *task;
+    int part;
+    double wanted;
+  };
+  const PeerComparison peer_comparisons[] = {
+      {"irradiance of a tube in a square's penumbra, beside points with Embree's rays", "penumbra_tube", 256, 20},
+      {"irradiance of a tube in a square's penumbra, beside points with Embree's rays", "penumbra_tube", 10000, 1000},
+      {"a tube's lobe of exponent 50 there, beside Embree's stratified rays", "penumbra_tube_lobe", 256, 20},
+      {"a tube's lobe of exponent 50 there, beside Embree's stratified rays", "penumbra_tube_lobe", 1000, 200},
+      {"a rectangle's lobe of exponent 50 there, beside Embree's stratified rays", "penumbra_lamp_lobe", 256, 20},
+      {"a rectangle's lobe of exponent 50 there, beside Embree's stratified rays", "penumbra_lamp_lobe", 1000, 200},
+      {"a tube's lobe of exponent 64 in the open, beside points", "open_tube_lobe", 10000, 4}};
+  for (const PeerComparison& c : peer_comparisons) {
+    const std::string part = std::to_string(c.part);
+    const Timing* gnomon = timing_of_any_size(report, c.task);
+    const Timing* points = timing_of_any_size(report, std::string(c.task) + "_at_" + part);
+    const double found = gnomon && points ? points->seconds.median / gnomon->seconds.median : 0;
+    const std::string count = points ? " (" + std::to_string(points->size) + " points)" : "";
+    all.push_back({std::string(c.subject) + " for an RMS error of 1/" + part + " of the largest",
+                   "at least " + times_text(c.wanted), found == 0 ? "" : times_text(found) + count, found >= c.wanted,
+                   false, "./bootstrap bench reflection"});
+  }
+}
+
+/// [PA90]'s sphere, as Table I has it.
+void add_picture(Findings& all, const Report& report) {
+  Limits{all, "reflection", time_text}.add("a picture of Table I's sphere, 512 by 512 pixels",
+                                           3 * machine_scale(report), seconds(report, "sphere_picture", 512));
+}
+
 /// A linear light costs as much as so many points, of every primitive of Table I.
 void add_table_one(Findings& all, const Report& report) {
   std::optional<double> most;
@@ -173,6 +212,8 @@ std::vector<Finding> timing_findings(const Report& report) {
   add_planes(all, report);
   add_meshes(all, report);
   add_reflection(all, report);
+  add_reflection_peers(all, report);
+  add_picture(all, report);
   add_table_one(all, report);
   add_visibility(all, report);
   add_stacks(all, report);

@@ -1,4 +1,6 @@
 #include "apps/proof/report/timings.h"
+#include "apps/proof/report/reflection_peers.h"
+#include "apps/proof/report/table_one.h"
 
 #include <utility>
 
@@ -18,10 +20,10 @@ namespace {
 
 using Timings = std::vector<Timing>;
 
-constexpr ShadowParts surfaces{.penumbra = false, .cells = false, .planes = false, .volumes = false};
+constexpr ShadowParts timed_parts{.penumbra = false, .cells = false, .planes = false, .volumes = false};
 
 /// About a pair and some of its shadow; nothing is aligned with it.
-constexpr Box3 box{{-9.1, -8.7, -9.3}, {8.9, 9.2, 9.4}};
+constexpr Box3 timed_box{{-9.1, -8.7, -9.3}, {8.9, 9.2, 9.4}};
 
 /// Done so often in a row that calling and asking the clock do not count.
 constexpr std::size_t in_a_row = 64;
@@ -71,11 +73,11 @@ Timings meshes(Effort effort) {
   for (const std::uint32_t n : {4U, 64U, 1024U}) {
     const PolygonPair pair = generic_pair(n);
     const ConvexBlocker blocker = pair.blocker;
-    all.push_back(timed("meshes", n, effort, [&] { shadow_meshes(pair.light, blocker, box, surfaces); }));
+    all.push_back(timed("meshes", n, effort, [&] { shadow_meshes(pair.light, blocker, timed_box, timed_parts); }));
   }
   const Light lamp = lamp_above_sphere();
   const ConvexBlocker solid = sphere(1000);
-  all.push_back(timed("solid_meshes", 1000, effort, [&] { shadow_meshes(lamp, solid, box, surfaces); }));
+  all.push_back(timed("solid_meshes", 1000, effort, [&] { shadow_meshes(lamp, solid, timed_box, timed_parts); }));
   return all;
 }
 
@@ -84,7 +86,7 @@ Timings mesh_parts(Effort effort) {
   const std::vector<ConvexBlocker> parts = sphere_facets(5000);
   const auto way = [&] {
     std::vector<ShadowMeshes> all;
-    for (const ConvexBlocker& part : parts) all.push_back(shadow_meshes(lamp, part, box, surfaces));
+    for (const ConvexBlocker& part : parts) all.push_back(shadow_meshes(lamp, part, timed_box, timed_parts));
     return all.size();
   };
   Timing result = once("mesh_parts", parts.size(), way);
@@ -151,9 +153,11 @@ std::vector<TimingTask> timing_tasks(Effort effort) {
                                    {"a mesh part by part", [=] { return mesh_parts(effort); }},
                                    {"a square in full view", [=] { return lambert_quad(effort); }},
                                    {"what a floor reflects", [=] { return reflection_timings(effort); }},
+                                   {"points on lights with Embree's rays", [=] { return reflection_peers(effort); }},
                                    {"random points", random_points},
                                    {"many triangles", set_up}};
   if (effort == Effort::quick) return tasks;
+  tasks.push_back({"a picture of a sphere", [] { return Timings{{"sphere_picture", 512, sphere_picture(512)}}; }});
   for (const std::size_t k : {2U, 5U, 8U}) {
     tasks.push_back({std::to_string(k) + " by " + std::to_string(k) + " stacks", [=] { return stacks(k); }});
   }

@@ -31,8 +31,8 @@ struct TimingTask {
 /// doubles), "meshes" (occlusion and umbra of n by n vertices), "solid_meshes" (of a solid of n facets), "mesh_parts"
 /// (of n triangles one by one), "lambert_quad" (a square in full view), "random_points" (n points behind random
 /// triangles; the count is of those that the exact level has to answer), "set_up" (n triangles, up to the first
-/// answer), those of reflection_timings; and in full, each once: "hexagon_stacks" and "square_stacks" (n receivers; the
-/// count is of faces).
+/// answer), those of reflection_timings and reflection_peers; and in full, each once: "sphere_picture" (of Table I, n
+/// by n pixels), "hexagon_stacks" and "square_stacks" (n receivers; the count is of faces).
 std::vector<TimingTask> timing_tasks(Effort effort);
 
 /// What one evaluation takes of what a floor reflects, bounds included, nothing hidden; the size is the exponent.

@@ -8,6 +8,7 @@ namespace {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 class GridCommand : public Program {
  protected:
@@ -28,6 +29,46 @@ TEST_F(GridCommand, WritesTheSameWithAnyNumberOfThreads) {
   gnomon("grid table.scene.json --shape 9,9,9 --out one.vti --threads 1");
   gnomon("grid table.scene.json --shape 9,9,9 --out three.vti --threads 3");
   EXPECT_EQ(read("one.vti"), read("three.vti"));
+}
+
+/// A bulb 2 above the origin, and a material.
+const std::string bulb_scene = R"({"gnomon": 1, "dimension": 3, "blockers": [], "ambient_radiance": 2,
+  "camera": {"eye": [0, 3, 5], "look_at": [0, 0, 0]}, "materials": [{"name": "chalk", "ambient": 0.5}],
+  "lights": [{"name": "bulb", "shape": "point", "position": [0, 0, 2], "intensity": 4}]})";
+
+/// How the header of a file tells an array that is one number throughout.
+std::string constant(const std::string& name, const std::string& number) {
+  return "Name=\"" + name + "\".* RangeMin=\"" + number + " *\" *RangeMax=\"" + number + " *\"";
+}
+
+TEST_F(GridCommand, TellsIrradianceOfSurfacesAndRadianceToAnEye) {
+  write("bulb.scene.json", bulb_scene);
+  const std::string start = "grid bulb.scene.json --shape 1,1,1 --box=-1,-1,-1,1,1,1 --out grid.vti ";
+  ASSERT_EQ(gnomon(start + "--normal 0,0,3").code, 0);
+  EXPECT_THAT(read("grid.vti").substr(0, 4000), testing::ContainsRegex(constant("irradiance", "1")));
+  EXPECT_THAT(read("grid.vti").substr(0, 4000), Not(HasSubstr("Name=\"radiance\"")));
+  ASSERT_EQ(gnomon(start + "--normal 0,0,1 --eye camera").code, 0);
+  const std::string header = read("grid.vti").substr(0, 4000);
+  // Of vectors the range is that of their lengths: (1/2 pi + 1) sqrt(3).
+  EXPECT_THAT(header, testing::ContainsRegex(constant("radiance", "2.00771[0-9]*")));
+  EXPECT_THAT(header,
+              testing::AllOf(HasSubstr("Name=\"radiance_error_bound\""), HasSubstr("NumberOfComponents=\"3\"")));
+  ASSERT_EQ(gnomon(start + "--normal 0,0,-1").code, 0);
+  EXPECT_THAT(read("grid.vti").substr(0, 4000), testing::ContainsRegex(constant("irradiance", "0")));
+  EXPECT_THAT(read("grid.vti").substr(0, 4000), testing::ContainsRegex(constant("region", "3"))) << "unlit";
+}
+
+TEST_F(GridCommand, RefusesEyesWithoutASurfaceAndSurfacesInThePlane) {
+  write("bulb.scene.json", bulb_scene);
+  const auto refusal = [&](const std::string& options) {
+    return gnomon("grid bulb.scene.json --shape 2,2,2 --out grid.vti " + options);
+  };
+  EXPECT_THAT(refusal("--eye camera").err, HasSubstr("goes with --normal"));
+  EXPECT_THAT(refusal("--normal 0,0,1 --material chalk").err, HasSubstr("goes with --eye"));
+  EXPECT_THAT(refusal("--normal 0,0").err, HasSubstr("found '0,0'"));
+  EXPECT_THAT(refusal("--normal 0,0,0").err, HasSubstr("a vector that is not 0"));
+  EXPECT_EQ(refusal("--normal 0,0,0").code, 2);
+  EXPECT_EQ(gnomon("grid examples/figure_4_17.scene.json --shape 2,2,1 --normal 0,1,0 --out grid.vti").code, 4);
 }
 
 TEST_F(GridCommand, RefusesShapesThatAreNone) {

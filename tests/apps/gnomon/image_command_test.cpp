@@ -76,11 +76,6 @@ TEST_F(ImageCommand, RefusesWhatItCannotMean) {
         "--out a.png --lights points:0", "--out a.png --exposure 0", "--out a.png --samples 0"}) {
     EXPECT_EQ(gnomon("image floor.scene.json " + wrong).code, 2) << wrong;
   }
-  write("tube.scene.json", floor_under(R"({"name": "tube", "shape": "segment", "vertices": [[0,0,1], [1,0,1]],
-    "flaps": {"angle": 30}})"));
-  const Outcome tube = gnomon("image tube.scene.json --out a.png --lights points:5");
-  EXPECT_EQ(tube.code, 4);
-  EXPECT_THAT(tube.err, HasSubstr("light \"tube\""));
   EXPECT_FALSE(exists("a.png"));
 }
 

@@ -68,6 +68,59 @@ TEST_F(IrradianceCommand, TellsMeanLeastAndLargestWithBounds) {
   expect(summary["sum"]["least"], 0);
 }
 
+/// A bulb 2 above a floor of two materials to choose from, in coloured light, and a camera.
+const std::string seen_plain = R"({"gnomon": 1, "dimension": 3, "blockers": [], "ambient_radiance": 2, CAMERA
+  "materials": [{"name": "chalk", "ambient": 0.5}, {"name": "lacquer", "diffuse": 0, "specular": 1, "exponent": 0}],
+  "lights": [{"name": "bulb", "shape": "point", "position": [0, 0, 2], "intensity": 4 COLOUR}],
+  "receivers": [{"name": "plain", "shape": "polygon", "material": "chalk",
+                 "vertices": [[-1,-1,0], [1,-1,0], [1,1,0], [-1,1,0]]}]})";
+
+std::string seen_plain_with(const std::string& camera, const std::string& colour) {
+  std::string text = seen_plain;
+  text.replace(text.find("CAMERA"), 6, camera);
+  text.replace(text.find(" COLOUR"), 7, colour);
+  return text;
+}
+
+TEST_F(IrradianceCommand, TellsRadianceBesideItWhereThereIsAnEye) {
+  write("plain.scene.json", seen_plain_with(R"("camera": {"eye": [0, 3, 5], "look_at": [0, 0, 0]},)", ""));
+  const std::string start = "irradiance plain.scene.json --on plain --eye camera ";
+  const std::vector<std::string> rows = lines(gnomon(start + "--json e.json").out);
+  EXPECT_EQ(rows[0], "x,y,z,nx,ny,nz,light,irradiance,error_bound,radiance,radiance_error_bound");
+  EXPECT_THAT(rows[1], testing::MatchesRegex("0,0,0,0,0,1,bulb,1,[^,]+,0\\.1591549[^,]*,[^,]+"));
+  const json result = read_json("e.json");
+  EXPECT_EQ(result["material"], "chalk");
+  EXPECT_EQ(result["points"][0]["eye"], json({0, 3, 5}));
+  EXPECT_EQ(result["points"][0]["ambient"]["radiance"], json({1, 1, 1}));
+  EXPECT_THAT(lines(gnomon(start + "--sum").out)[1],
+              testing::MatchesRegex("0,0,0,0,0,1,1,[^,]+,1\\.1591549[^,]*,[^,]+"));
+  EXPECT_EQ(lines(gnomon(start + "--wide").out)[0],
+            "x,y,z,nx,ny,nz,irradiance_bulb,error_bound_bulb,radiance_bulb,radiance_error_bound_bulb");
+  EXPECT_THAT(lines(gnomon(start + "--material lacquer").out)[1], HasSubstr(",0.318309886"));
+}
+
+TEST_F(IrradianceCommand, TellsTheVeryNumbersOfRadiance) {
+  write("plain.scene.json", seen_plain_with("", R"(, "color": [1, 0.5, 0])"));
+  write("points.csv", "x,y,z,nx,ny,nz\n0.3,0,0,0,0.1,1\n");
+  write("views.csv", "x,y,z,nx,ny,nz,ex,ey,ez\n0.3,0,0,0,0.1,1,1,2,3\n");
+  const std::string material = " --material chalk";
+  const std::string beside = lines(gnomon("irradiance plain.scene.json --at points.csv --eye 1,2,3" + material).out)[1];
+  const std::string alone = lines(gnomon("radiance plain.scene.json --at views.csv" + material).out)[1];
+  const std::string numbers = alone.substr(alone.find("bulb,") + 5);
+  EXPECT_THAT(beside, testing::EndsWith(numbers));
+  EXPECT_THAT(lines(gnomon("irradiance plain.scene.json --at points.csv --eye 1,2,3" + material).out)[0],
+              HasSubstr("radiance_r,radiance_error_bound_r,radiance_g,"));
+}
+
+TEST_F(IrradianceCommand, WantsAnEyeForAMaterialAndAMaterialAmongSeveral) {
+  write("plain.scene.json", seen_plain_with("", ""));
+  write("points.csv", "x,y,z,nx,ny,nz\n0.3,0,0,0,0.1,1\n");
+  EXPECT_EQ(gnomon("irradiance plain.scene.json --on plain --material chalk").code, 2);
+  EXPECT_THAT(gnomon("irradiance plain.scene.json --on plain --eye camera").err, HasSubstr("has no camera"));
+  EXPECT_THAT(gnomon("irradiance plain.scene.json --on plain --eye 1,2").err, HasSubstr("found '1,2'"));
+  EXPECT_THAT(gnomon("irradiance plain.scene.json --at points.csv --eye 1,2,3").err, HasSubstr("several materials"));
+}
+
 TEST_F(IrradianceCommand, RefusesAReceiverWhoseGridOverflows) {
   write("wide.scene.json", R"({"gnomon": 1, "dimension": 3,
     "lights": [{"name": "bulb", "shape": "point", "position": [0, 0, 2], "intensity": 4}], "blockers": [],

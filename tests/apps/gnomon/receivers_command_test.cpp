@@ -1,7 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
+#include <numbers>
 
 #include "tests/apps/gnomon/program_fixture.h"
 
@@ -11,6 +13,7 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 /// The table of table_scene over a floor of side 40; below it umbra has side 2 (2 + 2/2) and occlusion 2 (2 + 3).
 const std::string floor_scene = R"({
@@ -102,6 +105,36 @@ TEST_F(ReceiversCommand, TellsOnlyWhatIsAskedForOfTheMesh) {
   EXPECT_FALSE(json::parse(gnomon("receivers floor.scene.json --json -").out)["receivers"][0].contains("mesh"));
   EXPECT_EQ(gnomon("receivers floor.scene.json --mesh polygons").code, 2);
   EXPECT_EQ(gnomon("receivers floor.scene.json --mesh corners --json -").code, 2);
+}
+
+TEST_F(ReceiversCommand, TellsWhatVerticesReceiveAndReflectToAnEye) {
+  write("lamp.scene.json", R"({"gnomon": 1, "dimension": 3, "blockers": [], "materials": [{"name": "chalk"}],
+    "lights": [{"name": "bulb", "shape": "point", "position": [0, 0, 1], "intensity": 4}],
+    "receivers": [{"name": "floor", "shape": "polygon", "material": "chalk",
+                   "vertices": [[0,0,0], [1,0,0], [1,1,0], [0,1,0]]}]})");
+  ASSERT_EQ(gnomon("receivers lamp.scene.json --json r.json --mesh faces --out out --eye 0,0,9").code, 0);
+  const nlohmann::json mesh = read_json("r.json")["receivers"][0]["mesh"];
+  ASSERT_EQ(mesh["vertices"].size(), 4);
+  for (std::size_t v = 0; v < 4; ++v) {
+    const double x = mesh["vertices"][v][0], y = mesh["vertices"][v][1];
+    const double e = 4 / std::pow(x * x + y * y + 1, 1.5);
+    EXPECT_LE(std::fabs(mesh["irradiance"][v].get<double>() - e),
+              mesh["irradiance_error_bound"][v].get<double>() + 1e-16);
+    EXPECT_NEAR(mesh["radiance"][v][1].get<double>(), e / (2 * std::numbers::pi), 1e-15);
+    EXPECT_GT(mesh["radiance_error_bound"][v][1].get<double>(), 0);
+  }
+  const std::string faces = read("out/shadow/receivers/bulb/floor/faces.vtp");
+  for (const std::string array : {"irradiance", "irradiance_error_bound", "radiance", "radiance_error_bound"}) {
+    EXPECT_THAT(faces, HasSubstr("Name=\"" + array + "\"")) << array;
+  }
+  EXPECT_EQ(gnomon("receivers lamp.scene.json --json r.json --mesh faces").code, 0);
+  EXPECT_THAT(read("r.json"), Not(HasSubstr("irradiance")));
+}
+
+TEST_F(ReceiversCommand, WantsAPlaceForWhatAnEyeSees) {
+  EXPECT_EQ(gnomon("receivers examples/figure_4_22.scene.json --eye 0,0,9").code, 2);
+  EXPECT_EQ(gnomon("receivers examples/figure_4_22.scene.json --out out --material chalk").code, 2);
+  EXPECT_THAT(gnomon("receivers examples/figure_4_22.scene.json --out out --eye camera").err, HasSubstr("no camera"));
 }
 
 TEST_F(ReceiversCommand, CallsAReceiverInTheLightsPlaneUnlit) {

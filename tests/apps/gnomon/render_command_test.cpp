@@ -146,6 +146,33 @@ TEST_F(RenderCommand, NamesTheLightsAndReceiversThereAreWhereAnotherIsAskedFor) 
   }
 }
 
+TEST_F(RenderCommand, ColoursReceiversByIrradianceOnRequest) {
+  ASSERT_EQ(gnomon("render examples/figure_4_22.scene.json --out a.html --colour irradiance").code, 0);
+  const std::string page = read("a.html");
+  EXPECT_THAT(page, AllOf(HasSubstr("irradiance on floor"), HasSubstr("irradiance 0.03 W/m²")));
+  EXPECT_THAT(page, testing::Not(HasSubstr("umbra volume"))) << "which would change the colours";
+  ASSERT_EQ(gnomon("render examples/figure_4_22.scene.json --out a.html --colour irradiance --volumes").code, 0);
+  EXPECT_THAT(read("a.html"), HasSubstr("umbra volume"));
+  ASSERT_EQ(gnomon("render examples/figure_4_22.scene.json --out a.html --colour region").code, 0);
+  EXPECT_THAT(read("a.html"), testing::Not(HasSubstr("irradiance on floor")));
+  const Outcome none = gnomon("render table.scene.json --out a.html --colour irradiance");
+  EXPECT_EQ(none.code, 0);
+  EXPECT_THAT(none.err, HasSubstr("shows no irradiance"));
+}
+
+TEST_F(RenderCommand, SaysWhatItCannotColourByIrradiance) {
+  EXPECT_EQ(gnomon("render table.scene.json --out a.html --colour heat").code, 2);
+  const auto refusal = [&](const std::string& words) {
+    const Outcome run = gnomon("render " + words + " --colour irradiance");
+    EXPECT_EQ(run.code, 4) << words;
+    return run.err;
+  };
+  ASSERT_EQ(gnomon("shadow examples/figure_4_22.scene.json --out shadows --quiet").code, 0);
+  EXPECT_THAT(refusal("shadows --out a.html"), HasSubstr("give the scene file"));
+  EXPECT_THAT(refusal("examples/figure_4_22.scene.json --out a.gltf"), HasSubstr(".gltf"));
+  EXPECT_THAT(refusal("examples/figure_4_17.scene.json --out a.svg"), HasSubstr("dimension 2"));
+}
+
 TEST_F(RenderCommand, RefusesAnUpThatIsNoneOrHasNoMeaning) {
   EXPECT_EQ(gnomon("render table.scene.json --up y --out table.gltf").code, 0);
   for (const std::string wrong :

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "apps/proof/laws/sight_cases.h"
+#include "geometry/visibility/fast_visibility.h"
 
 namespace gnomon {
 namespace {

@@ -256,18 +256,43 @@ TEST(ShadedImage, ShowsALampItsRadianceAndNothingElsewhere) {
   EXPECT_EQ(painted(scene).pixels[40].element, -1) << "from behind";
 }
 
+/// Squared differences of a picture under so many points for each light and under the lights themselves, pixel by
+/// pixel.
+double square_apart(const SpaceScene& scene, const ShadedImage& exact, std::uint32_t points) {
+  const ShadedImage image = painted(scene, {.points = points});
+  double square = 0;
+  for (std::size_t k = 0; k < exact.pixels.size(); ++k) {
+    square += std::pow(image.pixels[k].radiance[0].value - exact.pixels[k].radiance[0].value, 2);
+  }
+  return square;
+}
+
 TEST(ShadedImage, OfManyPointsForALightComesCloseToTheLight) {
   const SpaceScene scene = scene_under(image_lights[0]);
   const ShadedImage exact = painted(scene);
   double last = HUGE_VAL;
   for (const std::uint32_t points : {4u, 36u, 400u}) {
-    const ShadedImage image = painted(scene, {.points = points});
-    double square = 0;
-    for (std::size_t k = 0; k < exact.pixels.size(); ++k) {
-      square += std::pow(image.pixels[k].radiance[0].value - exact.pixels[k].radiance[0].value, 2);
-    }
+    const double square = square_apart(scene, exact, points);
     EXPECT_LT(square, last / 4) << points;
     last = square;
+  }
+}
+
+/// By a cosine, between flaps, into half-planes that leave out part of the floor, and all of it together.
+TEST(ShadedImage, OfManyPointsForALightHasTheLightsEmission) {
+  for (
+      const std::string emission :
+      {R"("emission": {"profile": "cosine", "exponent": 3})", R"("flaps": {"angle": 35})",
+       R"("shade": {"from": [0, -1, -0.2], "to": [0, 1, -1]})",
+       R"("emission": {"profile": "cosine"}, "flaps": {"angle": 50}, "shade": {"from": [0, -1, -1], "to": [0, 1, 0]})"}) {
+    const SpaceScene scene = scene_under(R"({"name": "tube", "shape": "segment", "vertices": [[-1, 0, 3], [1, 0.5, 3]],
+                                             "intensity_per_length": 3, )" +
+                                         emission + "}");
+    const ShadedImage exact = painted(scene);
+    double all = 0;
+    for (const ImagePixel& pixel : exact.pixels) all += std::pow(pixel.radiance[0].value, 2);
+    EXPECT_LT(square_apart(scene, exact, 256), 1e-4 * all) << emission;
+    EXPECT_GT(square_apart(scene, exact, 2), 1e-4 * all) << "or it shows nothing: " << emission;
   }
 }
 

@@ -12,6 +12,7 @@
 #include "viz/pictures/picture_legend.h"
 #include "viz/pictures/picture_selection.h"
 #include "viz/vtk/cell_arrays.h"
+#include "viz/vtk/colour_map.h"
 #include "viz/vtk/facet_groups.h"
 #include "viz/vtk/vtk_cells.h"
 
@@ -130,6 +131,46 @@ TEST(PictureItems, PaintRegionsOnTheFrontOfAReceiverAndNoneOnItsBack) {
     }
   }
   EXPECT_TRUE(shows(picture_items(picture_scene(source)), palette.lit, false));
+}
+
+/// The floor of divided_scene with the irradiance 0, 30 and 60 at its corners, and without a number.
+PictureScene painted_scene(const std::string& other_light = "") {
+  SampleResult sample;
+  sample.result().receivers.clear();
+  sample.result().painted.push_back(
+      {0, "lamp", "floor", {{-2, 0, 0}, {0, 0, 0}, {0, 2, 0}}, {{0, 0}, {30, 0}, {60, 0}}, {{0, 1, 2}}});
+  PictureSource source = picture_source(sample.result());
+  source.blocks.push_back({{"receivers", "lamp", "floor", "faces"}, "receiver_faces", divided_floor()});
+  if (!other_light.empty()) {
+    source.blocks.push_back({{"scene", "lights", other_light}, "light", shelf()});
+    sample.result().painted.front() = {
+        1, other_light, "floor", {{-2, 0, 0}, {0, 0, 0}, {0, 2, 0}}, {{1, 0}, {1, 0}, {7, 0}}, {{0, 1, 2}}};
+    for (const PictureBlock& block : picture_source(sample.result()).blocks) {
+      if (block.kind == "receiver_irradiance") source.blocks.push_back(block);
+    }
+  }
+  return picture_scene(selected(source, {}, LightsShown::all_in_turn));
+}
+
+TEST(PictureItems, PaintIrradianceInThePlaceOfRegionsPointByPoint) {
+  const std::vector<PictureItem> items = picture_items(painted_scene());
+  const auto painted = std::ranges::find(items, "irradiance on floor", &PictureItem::name);
+  ASSERT_NE(painted, items.end());
+  EXPECT_EQ(painted->point_colors, (std::vector<Color>{colour_of_share(0), colour_of_share(0.5), colour_of_share(1)}));
+  EXPECT_EQ(painted->layer, "irradiance");
+  EXPECT_FALSE(shows(items, palette.receiver, false)) << "and not in the colour of none";
+  for (const PictureItem& item : items) EXPECT_THAT(item.name, testing::Not(testing::HasSubstr("umbra on")));
+}
+
+TEST(PictureItems, HaveAScaleWithAUnitForTheIrradianceOfEachLight) {
+  std::vector<std::string> texts, of_other;
+  for (const LegendEntry& entry : legend_entries(painted_scene("spare"))) {
+    if (entry.layer == "irradiance") (entry.light == "lamp" ? texts : of_other).push_back(entry.text);
+  }
+  EXPECT_THAT(texts, testing::ElementsAre("irradiance 60 W/m²", "50 W/m²", "40 W/m²", "30 W/m²", "20 W/m²", "10 W/m²",
+                                          "0 W/m²"));
+  EXPECT_EQ(of_other.front(), "irradiance 7 W/m²");
+  EXPECT_EQ(of_other.size(), 8U);
 }
 
 TEST(PictureSelection, TakesTheFirstLightThatHasResultsAndOnAPageAllOfThem) {

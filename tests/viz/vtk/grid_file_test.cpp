@@ -38,6 +38,23 @@ TEST(GridFile, ReadsBackPointForPointWithItsValues) {
   EXPECT_EQ(grid.point(5), (Point3{1, 0.3, 1}));
 }
 
+TEST(GridFile, HoldsIrradianceLightByLightAndRadianceAsVectors) {
+  const TemporaryFolder folder;
+  const PointGrid grid = PointGrid::in_box({2, 1, 1}, {{0, 0, 0}, {1, 1, 1}});
+  const GridValues values{"_lamp", {0, 1}, {1, .5}, {0, 0}, {3, 4}, {1e-15, 2e-15}};
+  const std::filesystem::path file = folder.path() / "grid.vti";
+  write_grid(grid, {&values, 1}, Scene{}, file, {{1, 2, 3, 4, 5, 6}, {.1, .2, .3, .4, .5, .6}});
+  vtkNew<vtkXMLImageDataReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  vtkPointData* data = reader->GetOutput()->GetPointData();
+  EXPECT_EQ(data->GetArray("irradiance_lamp")->GetTuple1(1), 4);
+  EXPECT_EQ(data->GetArray("irradiance_error_bound_lamp")->GetTuple1(1), 2e-15);
+  ASSERT_EQ(data->GetArray("radiance")->GetNumberOfComponents(), 3);
+  EXPECT_EQ(data->GetArray("radiance")->GetComponent(1, 2), 6);
+  EXPECT_EQ(data->GetArray("radiance_error_bound")->GetComponent(1, 0), .4);
+}
+
 TEST(GridFile, KnowsGridsWhosePointsFallTogetherOrOverflow) {
   const double large = 1e308, tiny = std::numeric_limits<double>::denorm_min();
   const auto distinct = [](std::array<std::uint32_t, 3> shape, const Box3& box) {

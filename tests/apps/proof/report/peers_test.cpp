@@ -1,10 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <string>
 
 #include "apps/proof/report/embree_sight.h"
 #include "apps/proof/report/plain_sight.h"
 #include "apps/proof/report/polygon_set_sight.h"
+#include "apps/proof/report/reflection_peers.h"
 #include "apps/proof/report/shapes.h"
 #include "apps/proof/report/triangle_scenes.h"
 #include "apps/proof/report/truth.h"
@@ -76,6 +79,20 @@ TEST(VolumePeers, HaveTheVolumesOfAlignedSquares) {
   };
   EXPECT_NEAR(volume_of_vertex_shadow_hull(aligned_squares()), frustum(2, 2 + 9, 6), 1e-9);
   EXPECT_NEAR(volume_of_nef_umbra(aligned_squares()), frustum(2, 2 + 3, 6), 1e-9);
+}
+
+/// More points come nearer and nearer, so both are right, or wrong in the same way.
+TEST(ReflectionPeers, ComeToWhatGnomonTells) {
+  std::map<std::string, std::size_t> points;
+  for (const Timing& timing : reflection_peers(Effort::quick)) points[timing.task] = timing.size;
+  for (const std::string task : {"penumbra_tube", "penumbra_tube_lobe", "penumbra_lamp_lobe"}) {
+    EXPECT_EQ(points[task], 1U) << task;
+    EXPECT_GT(points[task + "_at_256"], 40U) << task;
+    EXPECT_LT(points[task + "_at_256"], 2048U) << task;
+  }
+  EXPECT_GT(points["penumbra_tube_lobe_at_1000"], points["penumbra_tube_lobe_at_256"]);
+  EXPECT_GT(points["open_tube_lobe_at_10000"], 20U);
+  EXPECT_LT(points["open_tube_lobe_at_10000"], 100U);
 }
 
 }  // namespace

@@ -42,6 +42,17 @@ TEST(Targets, OfPairsAreScaledByWhatPlainDoublesTake) {
   EXPECT_FALSE(about(findings(report), subject).reached);
 }
 
+TEST(Targets, OfReflectionTellHowManyPointsOnTheLightAreAsExact) {
+  const std::string subject =
+      "a tube's lobe of exponent 50 there, beside Embree's stratified rays for an RMS error of 1/256 of the largest";
+  Report report;
+  report.timings = {timing("penumbra_tube_lobe", 1, 1e-6), timing("penumbra_tube_lobe_at_256", 95, 19e-6)};
+  EXPECT_EQ(about(findings(report), subject).found, "19 times (95 points)");
+  EXPECT_FALSE(about(findings(report), subject).reached);
+  report.timings[1] = timing("penumbra_tube_lobe_at_256", 95, 21e-6);
+  EXPECT_TRUE(about(findings(report), subject).reached);
+}
+
 TEST(Targets, OfGrowthCompareTimesWithFaces) {
   const std::string subject =
       "193 to 3,073 receivers of stacks of boxes under a square, exponent of growth with the faces";
