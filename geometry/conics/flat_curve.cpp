@@ -228,6 +228,11 @@ std::array<Rational, 3> value_and_slopes(const FlatCurve& curve, const FlatPoint
 
 }  // namespace
 
+ParameterAlong parameter_along(const LinePencil& parameter, const FlatCurve& other) {
+  const Coefficients start = along(parameter.start, other);
+  return {start, start - along(parameter.end, other)};
+}
+
 int side(const FlatCurve& curve, const FlatPoint& point) {
   return value_and_slopes(curve, point)[0].sign();
 }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "geometry/numbers/flat_point.h"
-#include "geometry/numbers/polynomial.h"
+#include "geometry/numbers/real_roots.h"
 
 namespace gnomon::conic {
 
@@ -67,6 +67,14 @@ Polynomial form_along(const FlatCurve& curve, const FlatCurve& other);
 
 /// A covector at the points of a curve.
 Coefficients along(const Covector& covector, const FlatCurve& curve);
+
+/// The parameter of a curve as a quotient of polynomials in that of another that it meets.
+struct ParameterAlong {
+  Coefficients numerator;
+  Coefficients denominator;
+};
+
+ParameterAlong parameter_along(const LinePencil& parameter, const FlatCurve& other);
 
 /// The curve's form at a point, up to a positive factor; its sign.
 int side(const FlatCurve& curve, const FlatPoint& point);
