@@ -1,5 +1,6 @@
 #include <charconv>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -18,6 +19,7 @@
 #include "apps/gnomon/scene_pairs.h"
 #include "apps/gnomon/shadow_summary.h"
 #include "apps/gnomon/text.h"
+#include "gnomon/errors.h"
 #include "gnomon/picture.h"
 #include "gnomon/scene.h"
 
@@ -66,7 +68,7 @@ void add_options(CommandLine& app, RenderOptions& options) {
       "A picture shows one light, the first unless --light names another; on a page all can be chosen. Receivers have\n"
       "the colours of the exact regions behind all blockers together; --blocker chooses volumes alone. Volumes are\n"
       "drawn as far as a receiver that has all of the scene on one side, a floor, whatever --box says beyond it;\n"
-      "a model (.gltf, in metres and with y up, as glTF wants it) has all that 'gnomon shadow' writes, up to the box.\n"
+      "a model (.gltf, in metres and with y up, as glTF wants it) has what is chosen for a picture, up to the box.\n"
       "A page (.html) needs no network: it carries three.js, which is read from Debian's package libjs-three.\n"
       "A PNG without a display starts a virtual one (Debian packages xvfb and libgl1-mesa-dri).\n\n"
       "Examples:\n"
@@ -98,6 +100,16 @@ void read_selection(const RenderOptions& options, PictureOptions& picture) {
   if (options.up.empty()) return;
   if (options.up != "z" && options.up != "y") throw UsageError("--up " + options.up + ": expected z or y");
   picture.up = options.up == "y" ? UpAxis::y : UpAxis::z;
+}
+
+/// Draws; a camera that sees nothing is the command line's fault, and found when the scene is known.
+void draw(const RenderOptions& options, const std::function<void()>& render) {
+  try {
+    render();
+  } catch (const PreconditionError& error) {
+    if (options.camera.empty()) throw;
+    throw UsageError("--camera " + options.camera + ": " + error.what());
+  }
 }
 
 [[noreturn]] void refuse_camera(const std::string& camera, const std::string& why) {
@@ -204,7 +216,7 @@ ExitCode render_folder(const RenderOptions& options, const PictureOptions& pictu
   check_dimension(options, result_dimension(options.scene));
   check_colour(options, result_dimension(options.scene), true);
   require_names(options, result_names(options.scene));
-  render_result(options.scene, options.out, picture);
+  draw(options, [&] { render_result(options.scene, options.out, picture); });
   return ExitCode::done;
 }
 
@@ -254,7 +266,7 @@ ExitCode render_scene_file(const RenderOptions& options, const PictureOptions& p
     result.painted = painted_receivers(std::get<SpaceScene>(scene), result.receivers, effort);
     if (result.painted.empty()) print_warning("the picture shows no irradiance: no receiver is divided");
   }
-  render_scene(result, options.out, picture);
+  draw(options, [&] { render_scene(result, options.out, picture); });
   warn_of_missing(all, pairs, result);
   return ExitCode::done;
 }

@@ -99,7 +99,8 @@ DiscontinuityResult divided_receivers(const DivisionPlan& plan, VertexFractions 
   const unsigned for_each = std::max(1U, threads / static_cast<unsigned>(std::max<std::size_t>(1, receivers.size())));
   for (const std::uint32_t l : plan.lights) {
     const SceneLight& light = plan.space->lights[l];
-    const ReceiverDivision division(light.shape, plan.bodies.obstacles.blockers, receivers, threads);
+    const ReceiverDivision division(light.shape, plan.bodies.obstacles.blockers, receivers, threads,
+                                    plan.bodies.obstacles.enclosures);
     std::vector<std::optional<ReceiverResult>> made(receivers.size());
     for_all(receivers.size(), threads, [&](std::size_t i, std::size_t) {
       const auto r = static_cast<std::uint32_t>(i);

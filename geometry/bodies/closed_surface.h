@@ -1,5 +1,6 @@
 #pragma once
 
+#include "geometry/numbers/exact_vector.h"
 #include "gnomon/blocker.h"
 
 namespace gnomon {
@@ -11,5 +12,6 @@ namespace gnomon {
 /// Exactness:  signs of orientation determinants of input points.
 /// Cost:       O(number of triangles).
 bool is_strictly_inside(const Point3& point, const ClosedSurface& surface);
+bool encloses(const ClosedSurface& surface, const ExactVector& point);
 
 }  // namespace gnomon

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/bodies/closed_surface.h"
 #include "geometry/discontinuity/arc_faces.h"
 #include "geometry/discontinuity/quick_sight.h"
 #include "geometry/discontinuity/receiver_sight.h"
@@ -26,6 +27,11 @@ std::vector<ExactVector> vertices_of(const ReceiverMesh::Data& data, const MeshF
     vertices.push_back(data.plane.spatial(data.point(start_of(data, use))));
   }
   return vertices;
+}
+
+bool is_enclosed(const ExactVector& point, std::span<const ClosedSurface> enclosures) {
+  return std::any_of(enclosures.begin(), enclosures.end(),
+                     [&](const ClosedSurface& surface) { return encloses(surface, point); });
 }
 
 /// What a face was found to be: of one region, or divided.
@@ -143,6 +149,10 @@ class FaceLabels {
       if (lit_.before.is_empty()) set(f, ReceiverRegion::unlit);
     }
     if (lit_.before.is_empty()) return;
+    for (std::uint32_t f = 0; f < n && !lit_.enclosures.empty(); ++f) {
+      const ExactVector inside = data_.plane.spatial(data_.arrangement.inner_point(f));
+      if (is_enclosed(inside, lit_.enclosures)) set(f, ReceiverRegion::umbra);
+    }
     for (std::uint32_t first = 0; first < n;) first = label_quickly(first);
     ask_exactly();
   }

@@ -20,7 +20,9 @@ struct LitReceiver {
   std::span<const ConvexBlocker> blockers;
   std::uint32_t receiver = 0;
   const LightBefore& before;
+  std::span<const ClosedSurface> enclosures = {};  ///< what lies strictly inside is umbra
 };
+
 
 /// Finds the region of every face.
 ///

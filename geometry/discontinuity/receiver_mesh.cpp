@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 
+#include "geometry/bodies/body.h"
 #include "geometry/discontinuity/face_labels.h"
 #include "geometry/discontinuity/horizon_traces.h"
 #include "geometry/discontinuity/light_before.h"
@@ -169,6 +170,7 @@ struct ReceiverDivision::Data {
   std::shared_ptr<const EventScene> scene;
   AllTraces traces;
   event::VertexShadows shadows;
+  std::vector<ClosedSurface> enclosures;  ///< those that the light may touch: others hide it by their facets
 };
 
 namespace {
@@ -203,13 +205,34 @@ event::LightBefore light_before_plane(const EventScene& scene, std::uint32_t rec
   return event::light_before(scene, scene.receivers[receiver], plane);
 }
 
+/// Whether their boxes have a point in common.
+bool may_touch(const Light& light, const ClosedSurface& surface) {
+  if (std::holds_alternative<DirectionalLight>(light)) return false;
+  const std::vector<Point3> points = light_points(light);
+  for (double Point3::*c : {&Point3::x, &Point3::y, &Point3::z}) {
+    const auto is_less = [&](const Point3& a, const Point3& b) { return a.*c < b.*c; };
+    const auto [low, high] = std::ranges::minmax_element(points, is_less);
+    const auto [first, last] = std::ranges::minmax_element(surface.vertices, is_less);
+    if ((*high).*c < (*first).*c || (*last).*c < (*low).*c) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 ReceiverDivision::ReceiverDivision(const Light& light, std::span<const ConvexBlocker> blockers,
-                                   std::span<const ConvexPolygon> receivers, unsigned threads) {
+                                   std::span<const ConvexPolygon> receivers, unsigned threads,
+                                   std::span<const ClosedSurface> enclosures) {
   const auto scene = std::make_shared<const EventScene>(prepared(light, blockers, receivers));
-  data_ = std::make_shared<const Data>(
-      Data{light, {blockers.begin(), blockers.end()}, scene, all_traces(*scene, threads), vertex_shadows(*scene)});
+  std::vector<ClosedSurface> touched;
+  std::ranges::copy_if(enclosures, std::back_inserter(touched),
+                       [&](const ClosedSurface& surface) { return may_touch(light, surface); });
+  data_ = std::make_shared<const Data>(Data{light,
+                                            {blockers.begin(), blockers.end()},
+                                            scene,
+                                            all_traces(*scene, threads),
+                                            vertex_shadows(*scene),
+                                            std::move(touched)});
 }
 
 std::size_t ReceiverDivision::size() const {
@@ -220,9 +243,26 @@ ReceiverMesh ReceiverDivision::mesh(std::uint32_t receiver, unsigned threads) co
   const ReceiverPlane plane = plane_of(*data_->scene, receiver);
   const event::LightBefore light = light_before_plane(*data_->scene, receiver, plane);
   const auto made = subdivision(*data_->scene, receiver, plane, light, data_->traces, threads);
-  event::label_faces({*data_->scene, data_->shadows, data_->light, data_->blockers, receiver, light}, *made, threads);
+  event::label_faces({*data_->scene, data_->shadows, data_->light, data_->blockers, receiver, light, data_->enclosures},
+                     *made, threads);
   return ReceiverMesh(made);
 }
+
+namespace {
+
+/// Whether some face at a vertex is no umbra: umbrae hold their boundaries.
+std::vector<bool> vertices_off_umbra(const ReceiverMesh& mesh) {
+  std::vector<bool> sees(mesh.vertex_count());
+  for (const MeshEdge& edge : mesh.edges()) {
+    for (const std::uint32_t f : {edge.left, edge.right}) {
+      if (f == MeshEdge::nowhere || mesh.faces()[f].region == ReceiverRegion::umbra) continue;
+      sees[edge.source] = sees[edge.target] = true;
+    }
+  }
+  return sees;
+}
+
+}  // namespace
 
 std::vector<double> ReceiverDivision::visible_fractions(std::uint32_t receiver, const ReceiverMesh& mesh,
                                                         unsigned threads) const {
@@ -230,9 +270,10 @@ std::vector<double> ReceiverDivision::visible_fractions(std::uint32_t receiver, 
   const event::ReceiverSight sight(*data_->scene, data_->light, data_->blockers, receiver, plane);
   std::vector<event::ReceiverSight> sights(std::max(1U, threads), sight);
   std::vector<double> fractions(mesh.vertex_count());
+  const std::vector<bool> sees = vertices_off_umbra(mesh);
   for_all(fractions.size(), threads, [&](std::size_t v, std::size_t worker) {
     // An arc ends on the boundary of an umbra, which belongs to it.
-    if (v >= mesh.data().arrangement.vertex_count()) return;
+    if (v >= mesh.data().arrangement.vertex_count() || !sees[v]) return;
     const ExactVector p = plane.spatial(mesh.data().point(static_cast<std::uint32_t>(v)));
     fractions[v] = sights[worker].visible_fraction_from(p).nearest;
   });

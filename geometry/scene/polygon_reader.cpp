@@ -65,7 +65,11 @@ std::string deviation_text(double deviation, const SpaceScene& scene) {
 void doubt_flatness(const SceneElement& element, const PolygonPlane& plane, SpaceScene& scene) {
   const std::string text = element.title + deviation_text(plane.deviation, scene);
   if (plane.flatness == Flatness::rounded) {
-    scene.doubts.push_back(text + ", within the limit of 1e-9 of its diameter, and count as rounded");
+    const bool is_receiver = element.title.starts_with("receiver ");
+    scene.doubts.push_back(text + ", within the limit of 1e-9 of its diameter, and count as rounded" +
+                           (is_receiver ? "; it is not divided into regions: for that write it as a concave_polygon, "
+                                          "which is taken as triangles"
+                                        : ""));
   } else if (plane.flatness == Flatness::bent) {
     scene.doubts.push_back(text + "; it is bent, and taken as triangles, " + element.name + "#0 and so on");
   }

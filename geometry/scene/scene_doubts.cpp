@@ -4,6 +4,8 @@
 #include <map>
 #include <tuple>
 
+#include "geometry/bodies/body.h"
+#include "geometry/bodies/closed_surface.h"
 #include "geometry/numbers/orientation.h"
 #include "geometry/scene/json_text.h"
 #include "geometry/scene/receiver_facets.h"
@@ -118,6 +120,40 @@ void doubt_dark_receivers(const SpaceScene& scene, std::vector<std::string>& dou
   }
 }
 
+bool is_inside(const Point3& p, const ConvexSolid& solid) {
+  return std::ranges::all_of(solid.facets(), [&](const ConvexSolid::Facet& facet) {
+    const auto corner = [&](std::size_t k) { return solid.points()[facet.loop[k]]; };
+    return exact_orientation(corner(0), corner(1), corner(2), p) < 0;
+  });
+}
+
+/// What a blocker that fills the space around a point is called.
+std::string filling(const SceneBlocker& blocker, const Point3& p) {
+  if (const auto space = enclosed_space(blocker)) return is_strictly_inside(p, *space) ? "a closed mesh" : "";
+  for (const ConvexPart& part : convex_parts(blocker)) {
+    const auto* solid = std::get_if<ConvexSolid>(&part.shape);
+    if (solid && is_inside(p, *solid)) return "a solid";
+  }
+  return "";
+}
+
+/// A room as a closed mesh is a solid to the program, and dark.
+void doubt_enclosed_lights(const SpaceScene& scene, std::vector<std::string>& doubts) {
+  for (const SceneLight& light : scene.lights) {
+    if (std::holds_alternative<DirectionalLight>(light.shape)) continue;
+    const Point3 p = light_points(light.shape).front();
+    for (const SceneBlocker& blocker : scene.blockers) {
+      const std::string what = filling(blocker, p);
+      if (what.empty()) continue;
+      doubts.push_back(
+          element_title("lights", light.name) + ": it lies inside " + element_title("blockers", blocker.name) + ", " +
+          what +
+          ": nothing of it gets out, all inside is in the umbra, and receivers are not divided by a light in "
+          "a closed mesh; leave out a facet, or write walls as polygons, for a room with air in it");
+    }
+  }
+}
+
 template <class SomeScene>
 std::vector<std::string> doubts_of_lists(const SomeScene& scene) {
   std::vector<std::string> doubts;
@@ -138,6 +174,7 @@ std::vector<std::string> scene_doubts(const SpaceScene& scene) {
   std::vector<std::string> doubts = doubts_of_lists(scene);
   doubt_backs(scene, doubts);
   doubt_dark_receivers(scene, doubts);
+  doubt_enclosed_lights(scene, doubts);
   doubt_materials(scene, doubts);
   return doubts;
 }

@@ -167,11 +167,13 @@ std::string_view division_refusal(const ConvexPolygon& receiver);
 /// does not depend on the number of threads.
 class ReceiverDivision {
  public:
+  /// Enclosures are what closed meshes enclose whose facets are among the blockers: what lies strictly inside is umbra.
   /// Requires: no refusal by range or of the light or a receiver.
   /// Throws:   PreconditionError.
   /// Cost:     events are found by searching hierarchies, and traced where they reach a receiver, by that many threads.
   ReceiverDivision(const Light& light, std::span<const ConvexBlocker> blockers,
-                   std::span<const ConvexPolygon> receivers, unsigned threads = 1);
+                   std::span<const ConvexPolygon> receivers, unsigned threads = 1,
+                   std::span<const ClosedSurface> enclosures = {});
 
   std::size_t size() const;
 

@@ -37,6 +37,22 @@ TEST_F(CheckCommand, TellsTheFluxOfEveryLightThatHasOne) {
   EXPECT_FALSE(lights[1].contains("flux"));
 }
 
+TEST_F(CheckCommand, DoubtsLightsInSolidsAndClosedMeshes) {
+  write("room.obj",
+        "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 0 0 3\nv 4 0 3\nv 4 4 2\nv 0 4 3\nv 2 2 1\n"
+        "f 4 3 2 1\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\nf 5 6 9\nf 6 7 9\nf 7 8 9\nf 8 5 9\n");
+  write("inside.scene.json", R"({"gnomon": 1, "dimension": 3, "lights": [
+    {"name": "bulb", "shape": "point", "position": [0.5, 0.5, 1]}, {"name": "moon", "shape": "point", "position": [0, 0, 9]},
+    {"name": "buried", "shape": "point", "position": [11, 1, 1]}], "blockers": [
+    {"name": "room", "shape": "mesh", "file": "room.obj"}, {"name": "block", "shape": "polytope",
+     "vertices": [[10,0,0], [12,0,0], [12,2,0], [10,2,0], [10,0,2], [12,0,2], [12,2,2], [10,2,2]]}]})");
+  const Outcome run = gnomon("check inside.scene.json --json inside.json");
+  EXPECT_THAT(
+      read_json("inside.json").at("doubts"),
+      testing::ElementsAre(testing::StartsWith("light \"bulb\": it lies inside blocker \"room\", a closed mesh"),
+                           testing::StartsWith("light \"buried\": it lies inside blocker \"block\", a solid")));
+}
+
 TEST_F(CheckCommand, NeverShortensAStrength) {
   write("named.scene.json", R"({"gnomon": 1, "dimension": 3, "blockers": [], "lights": [
     {"name": "lamp of the hall with a long name", "shape": "polygon", "radiance": 2.5,

@@ -94,6 +94,14 @@ TEST_F(RenderCommand, RefusesACameraThatIsNone) {
   }
 }
 
+TEST_F(RenderCommand, RefusesACameraThatSeesNothing) {
+  for (const std::string camera : {"0,0,9,0,0,9", "0,0,9,0,0,0,0,0,1"}) {
+    const Outcome run = gnomon("render table.scene.json --out table.html --camera " + camera);
+    EXPECT_EQ(run.code, 2);
+    EXPECT_THAT(run.err, HasSubstr("--camera " + camera)) << run.err;
+  }
+}
+
 TEST_F(RenderCommand, RefusesACameraForAScenesOfThePlane) {
   EXPECT_EQ(gnomon("render examples/figure_4_17.scene.json --out wall.svg --camera top").code, 2);
 }

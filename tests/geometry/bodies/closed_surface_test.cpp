@@ -80,6 +80,13 @@ RC_GTEST_PROP(ClosedSurfaceAgreement, ACavityIsOutside, ()) {
   RC_ASSERT(is_strictly_inside(p, united(surface_of(block), surface_of(cavity, true))) == inside);
 }
 
+RC_GTEST_PROP(ClosedSurfaceAgreement, RationalPointsAreAskedAsDoublesAre, ()) {
+  const ClosedSurface surface = united(surface_of(draw_solid()), surface_of(draw_solid(), true));
+  const Point3 p = draw_point(3);
+  RC_ASSERT(is_strictly_inside(p, surface) == encloses(surface, gnomon::exact(p)));
+  RC_CLASSIFY(is_strictly_inside(p, surface));
+}
+
 TEST(ClosedSurfaceDegenerate, RayAlongEdgesThroughVerticesAndPlanesIsCountedOnce) {
   const ClosedSurface octahedron =
       surface_of(ConvexSolid::hull_of({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}));

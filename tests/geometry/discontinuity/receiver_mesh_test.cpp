@@ -89,6 +89,35 @@ TEST(ReceiverMesh, EveryFacetOfABoxIsAReceiverWithASide) {
   EXPECT_EQ(exact_area(mesh_of(square_lamp, {block}, top), ReceiverRegion::lit), "8");
 }
 
+TEST(ReceiverMesh, IsUmbraInsideAClosedMeshThatTheLightTouches) {
+  // A box as a shell of six boards, a lamp on the inner side of its lid, a floor that passes through it.
+  const ConvexBlocker hall = box({0, 0, 0}, {4, 4, 4});
+  ClosedSurface surface;
+  Blockers shell;
+  const auto& solid = std::get<ConvexSolid>(hall);
+  surface.vertices.assign(solid.points().begin(), solid.points().end());
+  for (const ConvexSolid::Facet& facet : solid.facets()) {
+    std::vector<Point3> corners;
+    for (const std::uint32_t v : facet.loop) corners.push_back(solid.points()[v]);
+    shell.push_back(ConvexPolygon::from_points(corners));
+    for (std::size_t k = 2; k < facet.loop.size(); ++k) {
+      surface.triangles.push_back({facet.loop[0], facet.loop[k - 1], facet.loop[k]});
+    }
+  }
+  const Light flush = lamp(rectangle(1, 1, 3, 3, 4, Facing::down));
+  const std::vector floor{rectangle(-2, -2, 6, 6, 1, Facing::up)};
+  const auto umbra = [&](std::span<const ClosedSurface> enclosures) {
+    const ReceiverDivision division(flush, shell, floor, 1, enclosures);
+    const ReceiverMesh mesh = division.mesh(0);
+    for (const double f : division.visible_fractions(0, mesh)) EXPECT_TRUE(enclosures.empty() || f == 0);
+    return mesh.areas()[static_cast<std::size_t>(ReceiverRegion::umbra)].exact;
+  };
+  EXPECT_EQ(umbra({}), "48");
+  EXPECT_EQ(umbra({&surface, 1}), "64");
+  const Obstacles obstacles{shell, {surface}};
+  EXPECT_EQ(exact_visibility(flush, obstacles, {2, 2, 1}).region, Region::umbra);
+}
+
 TEST(ReceiverMeshDegenerate, BlockersOnTheFloor) {
   EXPECT_GT(expect_true_mesh(square_lamp, {box({-1, -1, 0}, {1, 1, 1})}, floor_of(4)), 150U);
   EXPECT_GT(expect_true_mesh(square_lamp, {box({-2, -1, -1}, {1, 1, 1})}, floor_of(4)), 150U);
