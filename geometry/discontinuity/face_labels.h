@@ -23,7 +23,6 @@ struct LitReceiver {
   std::span<const ClosedSurface> enclosures = {};  ///< what lies strictly inside is umbra
 };
 
-
 /// Finds the region of every face.
 ///
 /// Method:    a face that was not reached is asked about, by a point inside of it. What intervals tell spreads to its
