@@ -93,17 +93,7 @@ struct Question {
   std::optional<SeenSurface> surface = {};  ///< with an eye
 };
 
-/// Where the rows come from.
-struct Receivers {
-  std::string file;                                           ///< as messages call it
-  std::string header;                                         ///< the columns that the result repeats
-  std::function<std::vector<TableRow>()> next_batch;          ///< none at the end
-  std::function<ReceiverPoint(const PointRow&)> receiver_of;  ///< any number of threads may ask
-  std::size_t count = 0;                                      ///< of rows; 0 if nobody knows
-  std::function<double()> share = [] { return -1.0; };        ///< of the work that has been read, if count is 0
-};
-
-void light_up(LitRow& lit, const Receivers& receivers, Question& question, std::size_t worker) {
+void light_up(LitRow& lit, const RowSource& receivers, Question& question, std::size_t worker) {
   const auto* row = std::get_if<PointRow>(&lit.row);
   if (!row) return;
   const ReceiverPoint receiver = receivers.receiver_of(*row);
@@ -118,7 +108,7 @@ void light_up(LitRow& lit, const Receivers& receivers, Question& question, std::
   lit.eye = question.eye;
 }
 
-std::vector<LitRow> lit_rows(const Receivers& receivers, std::vector<TableRow> batch, Question& question) {
+std::vector<LitRow> lit_rows(const RowSource& receivers, std::vector<TableRow> batch, Question& question) {
   std::vector<LitRow> rows;
   for (TableRow& row : batch) rows.push_back({std::move(row), {}, {}});
   for_all(rows.size(), static_cast<unsigned>(question.lights.size()),
@@ -169,7 +159,7 @@ Question question_of(const IrradianceOptions& options, const SpaceScene& scene, 
 }
 
 ExitCode write_irradiance(const IrradianceOptions& options, const SpaceScene& scene, const PreparedObstacles& obstacles,
-                          const Receivers& receivers) {
+                          const RowSource& receivers) {
   Question question = question_of(options, scene, obstacles);
   std::vector<std::string> names;
   for (const SceneLight* light : question.chosen) names.push_back(light->name);

@@ -65,16 +65,6 @@ void add_options(CommandLine& app, RadianceOptions& options) {
       "  gnomon radiance examples/still_life.scene.json --on floor --shape 4,3\n");
 }
 
-/// Where the rows come from.
-struct Views {
-  std::string file;                                           ///< as messages call it
-  std::string header;                                         ///< the columns that the result repeats
-  std::function<std::vector<TableRow>()> next_batch;          ///< none at the end
-  std::function<ReceiverPoint(const PointRow&)> receiver_of;  ///< any number of threads may ask
-  std::size_t count = 0;                                      ///< of rows; 0 if nobody knows
-  std::function<double()> share = [] { return -1.0; };        ///< of the work that has been read, if count is 0
-};
-
 /// Where the results go.
 struct RadianceOutputs {
   std::optional<OutputFile> csv_file, json_file;
@@ -106,7 +96,7 @@ struct RadianceOutputs {
 };
 
 ExitCode write_radiance(const RadianceOptions& options, const SpaceScene& scene, const PreparedObstacles& obstacles,
-                        const Views& views) {
+                        const RowSource& views) {
   const SceneMaterial& material = chosen_material(options.material, options.on, scene);
   const std::vector<const SceneLight*> lights = chosen_lights(scene.lights, options.light);
   const unsigned threads = thread_count(options.threads);

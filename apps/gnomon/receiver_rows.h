@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -66,5 +67,15 @@ class ReceiverRows {
 ///
 /// Throws: UsageError that names the option, the name, and the receivers there are.
 void require_receiver(const std::string& option, const std::string& name, const std::vector<SceneReceiver>& receivers);
+
+/// Where rows come from, of a table or spread over a receiver.
+struct RowSource {
+  std::string file;                                           ///< as messages call it
+  std::string header;                                         ///< the columns that the result repeats
+  std::function<std::vector<TableRow>()> next_batch;          ///< none at the end
+  std::function<ReceiverPoint(const PointRow&)> receiver_of;  ///< any number of threads may ask
+  std::size_t count = 0;                                      ///< of rows; 0 if nobody knows
+  std::function<double()> share = [] { return -1.0; };        ///< of the work that has been read, if count is 0
+};
 
 }  // namespace gnomon

@@ -168,7 +168,9 @@ class TripleTracer {
   ExactVector origin_, along_x_, along_y_;
 };
 
-/// The Bezier points (w, x, y) of an arc, in whose hull it lies, with positive weights at its ends.
+/// The Bezier points (w, x, y) of an arc, with positive weights at its ends. The height of its points above a line,
+/// times their weights, has those of the three as Bernstein coefficients; no weight is zero, as it does not reach
+/// infinity.
 struct ArcHull {
   std::array<std::array<Rational, 3>, 3> exact;
   std::array<std::array<Interval, 3>, 3> near;

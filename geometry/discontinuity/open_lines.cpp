@@ -11,6 +11,12 @@ namespace {
 enum class Known : std::uint8_t { closed, open, perhaps };
 enum class Meeting : std::uint8_t { none, perhaps, all };
 
+/// Closed if either is, open if both are.
+Known both(Known a, Known b) {
+  if (a == Known::closed || b == Known::closed) return Known::closed;
+  return a == Known::open && b == Known::open ? Known::open : Known::perhaps;
+}
+
 /// Of polynomials between two parameters.
 struct Signs {
   Interval from;
@@ -144,15 +150,13 @@ class OpenLines::Question {
               light_weight = sign(light_weight_);
     if (point_weight == 0 || base_weight == 0 || light_weight == 0) return Known::perhaps;
     const int weight = point_weight * light_weight;
-    Known known = gap(sign);
-    for (const auto& ask : {&Question::on_light, &Question::in_order}) {
-      const Known more = (this->*ask)(sign, weight);
-      if (known == Known::closed || more == Known::closed) return Known::closed;
-      if (more == Known::perhaps) known = more;
-    }
-    const Known through = unstopped(sign, weight, shapes);
-    if (through != Known::open) return through;
-    return at_ends < 0 || lines_.is_share_of_base() ? known : Known::perhaps;
+    const bool is_on_base = at_ends < 0 || lines_.is_share_of_base();
+    Known known = is_on_base ? Known::open : Known::perhaps;
+    known = both(known, gap(sign));
+    if (known != Known::closed) known = both(known, on_light(sign));
+    if (known != Known::closed) known = both(known, in_order(sign, weight));
+    if (known != Known::closed) known = both(known, unstopped(sign, weight, shapes));
+    return known;
   }
 
   bool are_beside_boxes(const Interval& t) const {
@@ -163,7 +167,7 @@ class OpenLines::Question {
   }
 
   /// The light's corners run counterclockwise seen from its front.
-  Known on_light(const Signs& sign, int /*weight*/) {
+  Known on_light(const Signs& sign) {
     if (base().is_of_light) return Known::open;
     if (light_sides_.empty()) {
       for (const NearLine& l : all_.light_lines_) light_sides_.push_back(lines_.side(l));

@@ -20,11 +20,10 @@ struct NearRange {
 
 /// The parts of an arc whose lines of sight may reach the light between the three edges' ends and come through.
 ///
-/// Left out: parts all of whose points lie outside of some boxes; or whose lines miss one of the edges, or the light;
-/// or
-///           meet one of the edges not between the point and the light; or pass strictly through one blocker: beside
-///           such a line nothing is seen of the light, so no gap closes there; or about which the three edges leave a
-///           direction open.
+/// Left out: parts all of whose points lie outside of some boxes; whose lines miss one of the edges, or the light, or
+///           meet one of the edges not between the point and the light; whose lines pass strictly through one blocker:
+///           beside such a line nothing is seen of the light, so no gap closes there; about which the three edges
+///           leave a direction open.
 /// Method:   by intervals, halving where these do not tell.
 class OpenLines {
  public:

@@ -281,8 +281,9 @@ std::vector<double> ReceiverDivision::visible_fractions(std::uint32_t receiver, 
 }
 
 std::vector<ReceiverMesh> receiver_division(const Light& light, std::span<const ConvexBlocker> blockers,
-                                            std::span<const ConvexPolygon> receivers) {
-  const ReceiverDivision division(light, blockers, receivers);
+                                            std::span<const ConvexPolygon> receivers,
+                                            std::span<const ClosedSurface> enclosures) {
+  const ReceiverDivision division(light, blockers, receivers, 1, enclosures);
   std::vector<ReceiverMesh> meshes;
   for (std::uint32_t r = 0; r < receivers.size(); ++r) meshes.push_back(division.mesh(r));
   return meshes;

@@ -1,6 +1,7 @@
 #include "geometry/scene/scene_doubts.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <tuple>
 
@@ -127,12 +128,27 @@ bool is_inside(const Point3& p, const ConvexSolid& solid) {
   });
 }
 
-/// What a blocker that fills the space around a point is called.
-std::string filling(const SceneBlocker& blocker, const Point3& p) {
-  if (const auto space = enclosed_space(blocker)) return is_strictly_inside(p, *space) ? "a closed mesh" : "";
+bool is_in_box_of(const Point3& p, std::span<const Point3> points) {
+  return std::ranges::all_of(std::array{&Point3::x, &Point3::y, &Point3::z}, [&](double Point3::*c) {
+    return std::ranges::any_of(points, [&](const Point3& q) { return q.*c < p.*c; }) &&
+           std::ranges::any_of(points, [&](const Point3& q) { return q.*c > p.*c; });
+  });
+}
+
+/// What a blocker that fills the space around some of the points is called.
+std::string filling(const SceneBlocker& blocker, std::span<const Point3> points) {
+  const Mesh* mesh = std::get_if<Mesh>(&blocker.shape);
+  const bool may_fill = mesh ? mesh->closed : std::holds_alternative<Polytope>(blocker.shape);
+  const auto corners = blocker_points(blocker.shape);
+  const auto is_near = [&](const Point3& p) { return is_in_box_of(p, corners); };
+  if (!may_fill || std::ranges::none_of(points, is_near)) return "";
+  if (const auto space = enclosed_space(blocker)) {
+    const bool is_filled = std::ranges::any_of(points, [&](const Point3& p) { return is_strictly_inside(p, *space); });
+    return is_filled ? "a closed mesh" : "";
+  }
   for (const ConvexPart& part : convex_parts(blocker)) {
     const auto* solid = std::get_if<ConvexSolid>(&part.shape);
-    if (solid && is_inside(p, *solid)) return "a solid";
+    if (solid && std::ranges::any_of(points, [&](const Point3& p) { return is_inside(p, *solid); })) return "a solid";
   }
   return "";
 }
@@ -141,15 +157,15 @@ std::string filling(const SceneBlocker& blocker, const Point3& p) {
 void doubt_enclosed_lights(const SpaceScene& scene, std::vector<std::string>& doubts) {
   for (const SceneLight& light : scene.lights) {
     if (std::holds_alternative<DirectionalLight>(light.shape)) continue;
-    const Point3 p = light_points(light.shape).front();
+    const std::vector<Point3> points = light_points(light.shape);
     for (const SceneBlocker& blocker : scene.blockers) {
-      const std::string what = filling(blocker, p);
+      const std::string what = filling(blocker, points);
       if (what.empty()) continue;
-      doubts.push_back(
-          element_title("lights", light.name) + ": it lies inside " + element_title("blockers", blocker.name) + ", " +
-          what +
-          ": nothing of it gets out, all inside is in the umbra, and receivers are not divided by a light in "
-          "a closed mesh; leave out a facet, or write walls as polygons, for a room with air in it");
+      doubts.push_back(element_title("lights", light.name) + ": it reaches into " +
+                       element_title("blockers", blocker.name) + ", " + what +
+                       ": all inside is in the umbra, what of the light is there shines nowhere, and receivers are not "
+                       "divided by a light in a closed mesh; leave out a facet, or write walls as polygons, for a room "
+                       "with air in it");
     }
   }
 }

@@ -193,6 +193,7 @@ class ReceiverDivision {
 
 /// The meshes of all receivers at once, nothing kept.
 std::vector<ReceiverMesh> receiver_division(const Light& light, std::span<const ConvexBlocker> blockers,
-                                            std::span<const ConvexPolygon> receivers);
+                                            std::span<const ConvexPolygon> receivers,
+                                            std::span<const ClosedSurface> enclosures = {});
 
 }  // namespace gnomon

@@ -39,10 +39,11 @@ TripleCase draw_triple(Domain domain) {
   return drawn;
 }
 
-/// A triangle at some height, perhaps tilted, or a box.
+/// A triangle at some height, perhaps tilted, an upright board, or a box.
 Corners draw_board(int height) {
   const double z = height;
   const double x = draw(-2, 1), y = draw(-2, 1);
+  if (once_in(6)) return {{x - 1, y, z}, {x + 3, y, z}, {x + 3, y, z + 1}, {x - 1, y, z + 1}};  // upright
   if (once_in(4)) {
     Corners corners;
     for (int c = 0; c < 8; ++c) corners.push_back({x + (c & 1 ? 2 : 0), y + (c & 2 ? 3 : 0), z + (c & 4 ? 0.5 : 0)});
@@ -55,7 +56,7 @@ Corners draw_board(int height) {
 }
 
 ConvexBlocker board_of(Corners corners) {
-  if (corners.size() > 3) return ConvexSolid::hull_of(corners);
+  if (corners.size() > 4) return ConvexSolid::hull_of(corners);
   if (ConvexPolygon::defect(corners)) corners = {{-2, -1, 1}, {3, -2, 1}, {0, 3, 1}};
   return ConvexPolygon::from_points(corners);
 }
@@ -79,7 +80,8 @@ ReceiverCase draw_joint(Domain domain) {
       PointLight{{0, 0, 6}}, {}, ConvexPolygon::from_points({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), 0, 0.5, {}};
   const int count = once_in(4) ? 3 : 2;
   for (int k = 0; k < count; ++k) {
-    Corners board = draw_board(k + 1);
+    // Now and then in the plane of the one before, which it then crosses, touches or shares an edge with.
+    Corners board = draw_board(k > 0 && once_in(4) ? k : k + 1);
     if (is_bent && board.size() == 3 && once_in(2)) board[1] = nudged_beside_whole_numbers(board[1]);
     place(board);
     drawn.blockers.push_back(board_of(board));

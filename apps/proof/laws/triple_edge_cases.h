@@ -27,7 +27,8 @@ std::string description(const TripleCase& drawn);
 rc::Gen<TripleCase> triple_cases(Domain domain);
 
 /// A lamp or a tube above a floor and two or three blockers one above the other, which hide it together: gaps close
-/// where three edges are in line. Near degeneracy one ulp off, or far from the origin with small detail.
+/// where three edges are in line. Boards are level, tilted, upright or boxes, some in one plane, so that they cross,
+/// touch or share edges. Near degeneracy one ulp off, or far from the origin with small detail.
 rc::Gen<ReceiverCase> joint_cases(Domain domain);
 
 }  // namespace gnomon::laws

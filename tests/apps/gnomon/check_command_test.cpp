@@ -49,8 +49,8 @@ TEST_F(CheckCommand, DoubtsLightsInSolidsAndClosedMeshes) {
   const Outcome run = gnomon("check inside.scene.json --json inside.json");
   EXPECT_THAT(
       read_json("inside.json").at("doubts"),
-      testing::ElementsAre(testing::StartsWith("light \"bulb\": it lies inside blocker \"room\", a closed mesh"),
-                           testing::StartsWith("light \"buried\": it lies inside blocker \"block\", a solid")));
+      testing::ElementsAre(testing::StartsWith("light \"bulb\": it reaches into blocker \"room\", a closed mesh"),
+                           testing::StartsWith("light \"buried\": it reaches into blocker \"block\", a solid")));
 }
 
 TEST_F(CheckCommand, NeverShortensAStrength) {

@@ -105,6 +105,22 @@ TEST(TripleEdges, OfATubeAndTwoTrianglesBoundFourUmbrae) {
   for (std::size_t k = 0; k < known.size(); ++k) EXPECT_NEAR(areas[k], known[k], 1e-12 * known[k]) << k;
 }
 
+TEST(TripleEdges, BoundTheSameUmbraeOfScaledScenes) {
+  const auto umbra = [](int exponent) {
+    const auto p = [&](double x, double y, double z) {
+      return Point3{std::ldexp(x, exponent), std::ldexp(y, exponent), std::ldexp(z, exponent)};
+    };
+    const KnownScene scene{LinearLight{p(-5, 0, 10), p(5, 0, 13.45)},
+                           {flat({p(-5.92, 1.16, 6.09), p(1.18, -0.01, 6.07), p(5.20, 1.22, 4.54)}),
+                            flat({p(-3.35, 2.25, 5.77), p(-0.50, 2.82, 2.85), p(-5.88, -0.53, 3.40)})},
+                           flat({p(-30, -30, 0), p(30, -30, 0), p(30, 30, 0), p(-30, 30, 0)})};
+    const double area = scene.mesh().areas()[static_cast<std::size_t>(ReceiverRegion::umbra)].nearest;
+    return std::ldexp(area, -2 * exponent);
+  };
+  // Polynomials of lines leave the range of doubles at the greatest: then intervals tell nothing.
+  for (const int exponent : {-190, -100, 100, 190}) EXPECT_EQ(umbra(exponent), umbra(0)) << exponent;
+}
+
 TEST(TripleEdges, OfEdgesThatCrossBoundAnUmbraByStraightLines) {
   const KnownScene scene{LinearLight{{-1, 0, 4}, {1, 0, 4}},
                          {flat({{0, -2, 1}, {0, 2, 3}, {-6, 0, 2}}), flat({{0, -2, 3}, {0, 2, 1}, {6, 0, 2}})},
