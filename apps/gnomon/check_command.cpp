@@ -139,6 +139,7 @@ ExitCode check_command(Arguments arguments) {
   if (!app.parse(arguments)) return ExitCode::done;
 
   require_place("--json", options.json, OutputKind::json);
+  require_unread("--json", options.json, {options.scene});
   const Scene scene = scene_file(options.scene);
   if (options.quiet) print_doubts(scene);
   const RecognisedElements elements = recognised_elements(scene);

@@ -99,8 +99,7 @@ ExitCode discontinuities_command(Arguments arguments) {
     throw UsageError("nothing to write: give a folder with --out, or a file with --json");
   }
   const std::vector<OutputFormat> formats = tree_formats(options.format);
-  require_place("--json", options.json, OutputKind::json);
-  require_free_folder(options.out);
+  require_result_places(options.out, options.json, {options.scene});
   const Scene scene = scene_file_with_warnings(options.scene);
   const Box3 box = clip_box(scene, options.box);
   const DivisionPlan plan = division_plan(scene, {options.light, {}}, DivisionOf::surfaces);

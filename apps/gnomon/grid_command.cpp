@@ -38,7 +38,7 @@ struct GridOptions : CommonOptions {
 void add_options(CommandLine& app, GridOptions& options) {
   add_required_text(app, "SCENE", options.scene, "FILE", "Scene file");
   add_required_text(app, "--shape", options.shape, "nx,ny,nz",
-                    "Number of points along x, y and z; in scenes of dimension 2 nz is 1");
+                    "Number of points along x, y and z; in scenes of dimension 2 nx,ny");
   add_text(app, "--box", options.box, "xmin,ymin,zmin,xmax,ymax,zmax",
            "The grid runs from corner to corner of this box (default: the scene's, grown by half its diagonal); a\n"
            "single point along an axis lies in the middle");
@@ -60,6 +60,16 @@ void add_options(CommandLine& app, GridOptions& options) {
       "Examples:\n"
       "  gnomon grid examples/figure_4_22.scene.json --shape 40,40,40 --out grid.vti\n"
       "  gnomon grid examples/cornell_box.scene.json --shape 9,9,9 --out room.vti\n");
+}
+
+/// Throws: UsageError.
+std::array<std::uint32_t, 3> grid_shape(const std::string& text, int dimension) {
+  if (dimension == 3) return whole_numbers<3>("--shape", text, "nx,ny,nz");
+  const std::string_view flat = text.ends_with(",1") && comma_separated(text).size() == 3
+                                    ? std::string_view(text).substr(0, text.size() - 2)
+                                    : std::string_view(text);
+  const auto [nx, ny] = whole_numbers<2>("--shape", std::string(flat), "nx,ny in a scene of dimension 2");
+  return {nx, ny, 1};
 }
 
 /// What the points of a grid are asked as points of a surface.
@@ -183,8 +193,9 @@ ExitCode grid_command(Arguments arguments) {
   add_options(app, options);
   if (!app.parse(arguments)) return ExitCode::done;
   require_place("--out", options.out, OutputKind::image);
-  const std::array<std::uint32_t, 3> shape = whole_numbers<3>("--shape", options.shape, "nx,ny,nz");
+  require_unread("--out", options.out, {options.scene});
   const Scene scene = scene_file_with_warnings(options.scene);
+  const std::array<std::uint32_t, 3> shape = grid_shape(options.shape, dimension(scene));
   const RegionFinder finder = region_finder(scene, options.light, options.threads);
   std::optional<SurfaceOfGrid> surface = surface_of_grid(scene, options);
   const Box3 box = clip_box(scene, options.box);

@@ -111,6 +111,7 @@ ExitCode image_command(Arguments arguments) {
   if (!app.parse(arguments)) return ExitCode::done;
   require_place("--out", options.out, OutputKind::picture);
   require_place("--json", options.json, OutputKind::json);
+  require_unread("--json", options.json, {options.scene});
   image::ImageOptions what{shading_mode(options.shading), point_count(options.lights), options.samples,
                            options.threads};
   double exposure = exposure_of(options.exposure);

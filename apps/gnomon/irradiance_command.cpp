@@ -44,10 +44,9 @@ void add_options(CommandLine& app, IrradianceOptions& options) {
   add_text(app, "--at", options.at, "POINTS.csv|-",
            "Receivers as CSV with columns x,y,z,nx,ny,nz, or six numbers a line without a header; '-' reads them from\n"
            "stdin. Commas, semicolons, tabs or blanks separate; further columns are passed through");
-  add_text(
-      app, "--on", options.on, "RECEIVER",
-      "Points on this receiver of the scene, seen from its front; of a mesh on every facet. They are asked on the\n"
-      "facet itself, whatever rounding does to them");
+  add_text(app, "--on", options.on, "RECEIVER",
+           "Points on this receiver of the scene, on each side from which it receives; of a mesh on every facet. They\n"
+           "are asked on the facet itself, whatever rounding does to them");
   add_text(
       app, "--shape", options.shape, "nu,nv",
       "With --on: the number of points along a facet's first side and at right angles to it. They are the middles\n"
@@ -239,7 +238,7 @@ ExitCode irradiance_command(Arguments arguments) {
   IrradianceOptions options;
   add_options(app, options);
   if (!app.parse(arguments)) return ExitCode::done;
-  require_table_places(options.out, options.json);
+  require_table_places(options.out, options.json, {options.scene, options.at});
   if (options.out == "-") options.out.clear();
   if (options.at.empty() == options.on.empty()) throw UsageError("expected either --at POINTS.csv or --on RECEIVER");
   if (options.on.empty() && !options.shape.empty()) throw UsageError("--shape nu,nv goes with --on RECEIVER");

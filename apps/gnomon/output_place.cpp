@@ -44,6 +44,13 @@ bool fits_place(const std::string& name, OutputKind kind) {
   return true;
 }
 
+/// Also of names that differ but lead to one file.
+bool is_one_file(const std::string& a, const std::string& b) {
+  std::error_code ignored;
+  return fs::absolute(a, ignored).lexically_normal() == fs::absolute(b, ignored).lexically_normal() ||
+         fs::equivalent(a, b, ignored);
+}
+
 std::string place_for(OutputKind kind) {
   switch (kind) {
     case OutputKind::folder:
@@ -67,22 +74,31 @@ void require_place(std::string_view option, const std::string& name, OutputKind 
   throw UsageError(std::string(option) + ' ' + name + ": expected " + place_for(kind));
 }
 
-void require_table_places(const std::string& out, const std::string& json) {
-  require_place("--out", out, OutputKind::csv);
-  require_place("--json", json, OutputKind::json);
-  if (out.empty() || json.empty()) return;
-  std::error_code ignored;
-  const bool both_to_stdout = out == "-" && json == "-";
-  if (both_to_stdout || fs::path(out).lexically_normal() == fs::path(json).lexically_normal() ||
-      fs::equivalent(out, json, ignored)) {
-    throw UsageError("--out " + out + " and --json " + json + " name one place; expected two");
+void require_unread(std::string_view option, const std::string& name, const std::vector<std::string>& read) {
+  if (name.empty() || name == "-" || std::ranges::none_of(read, [&](const auto& r) { return is_one_file(name, r); })) {
+    return;
   }
+  throw UsageError(std::string(option) + ' ' + name + ": this file is read; expected another one to write");
 }
 
-void require_free_folder(const std::string& folder) {
+void require_table_places(const std::string& out, const std::string& json, const std::vector<std::string>& read) {
+  require_place("--out", out, OutputKind::csv);
+  require_place("--json", json, OutputKind::json);
+  require_unread("--out", out, read);
+  require_unread("--json", json, read);
+  if (out.empty() || json.empty() || !is_one_file(out, json)) return;
+  throw UsageError("--out " + out + " and --json " + json + " name one place; expected two");
+}
+
+void require_result_places(const std::string& folder, const std::string& json, const std::vector<std::string>& read) {
+  require_place("--json", json, OutputKind::json);
+  require_unread("--json", json, read);
   if (folder.empty()) return;
   require_place("--out", folder, OutputKind::folder);
   require_result_folder(folder);
+  if (!json.empty() && is_one_file(json, (fs::path(folder) / "manifest.json").string())) {
+    throw UsageError("--json " + json + ": the folder's list of files has this name; expected another");
+  }
 }
 
 void warn_of_outdated_results(const std::string& folder) {

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace gnomon {
 
@@ -20,11 +21,15 @@ enum class OutputKind {
 /// Throws: UsageError telling what would do.
 void require_place(std::string_view option, const std::string& name, OutputKind kind);
 
-/// The same for a table and its JSON, which must not both go to one file, or to stdout.
-void require_table_places(const std::string& out, const std::string& json);
+/// Refuses a file to write that is one of those to read.
+void require_unread(std::string_view option, const std::string& name, const std::vector<std::string>& read);
 
-/// Makes sure that a folder may be written into: require_place, and nothing of others in the way.
-void require_free_folder(const std::string& folder);
+/// require_place and require_unread for a table and its JSON, which must not both go to one file, or to stdout.
+void require_table_places(const std::string& out, const std::string& json, const std::vector<std::string>& read);
+
+/// Makes sure that a folder may be written into: require_place, and nothing of others in the way; and that its JSON
+/// is neither a file of the folder's own nor one to read.
+void require_result_places(const std::string& folder, const std::string& json, const std::vector<std::string>& read);
 
 /// Warns of results in the folder that other commands have written of another scene or box.
 void warn_of_outdated_results(const std::string& folder);

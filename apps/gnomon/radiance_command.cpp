@@ -175,7 +175,7 @@ ExitCode radiance_command(Arguments arguments) {
   RadianceOptions options;
   add_options(app, options);
   if (!app.parse(arguments)) return ExitCode::done;
-  require_table_places(options.out, options.json);
+  require_table_places(options.out, options.json, {options.scene, options.at});
   if (options.out == "-") options.out.clear();
   if (options.at.empty() == options.on.empty()) throw UsageError("expected either --at VIEWS.csv or --on RECEIVER");
   if (options.on.empty() && !options.shape.empty()) throw UsageError("--shape nu,nv goes with --on RECEIVER");

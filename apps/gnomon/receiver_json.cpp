@@ -65,15 +65,11 @@ MeshJson event_json(const DiscontinuityResult& result, const ReceiverResult& rec
   const auto element = [&](const EventElement& e) {
     return MeshJson{{"of", element_text(result, receiver.light, receiver.receiver, e)}, {"index", number(e.index)}};
   };
-  MeshJson json = {{"kind", name(event.kind)},
-                   {"vertex", element(event.vertex)},
-                   {"edge", element(event.edge)},
-                   {"order", event.order}};
+  MeshJson json = {{"kind", name(event.kind)}, {"vertex", element(event.vertex)}, {"edge", element(event.edge)}};
   if (event.kind == EventKind::triple_edge) {
-    json = {{"kind", name(event.kind)},
-            {"edges", {element(event.vertex), element(event.edge), element(event.third)}},
-            {"order", event.order}};
+    json = {{"kind", name(event.kind)}, {"edges", {element(event.vertex), element(event.edge), element(event.third)}}};
   }
+  if (event.kind != EventKind::border) json["order"] = event.order;
   if (event.extremal != Extremal::none) json["extremal"] = name(event.extremal);
   return json;
 }

@@ -126,8 +126,7 @@ ExitCode receivers_command(Arguments arguments) {
   if (!options.seen.eye.empty() && options.out.empty() && !mesh_parts(options.mesh).any()) {
     throw UsageError("--eye x,y,z goes with --out DIR, or with --json FILE and --mesh LIST");
   }
-  require_place("--json", options.json, OutputKind::json);
-  require_free_folder(options.out);
+  require_result_places(options.out, options.json, {options.scene});
   return write_all(options, formats, scene_file_with_warnings(options.scene));
 }
 

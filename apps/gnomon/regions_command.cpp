@@ -146,7 +146,7 @@ ExitCode regions_command(Arguments arguments) {
   RegionsOptions options;
   add_options(app, options);
   if (!app.parse(arguments)) return ExitCode::done;
-  require_table_places(options.out, options.json);
+  require_table_places(options.out, options.json, {options.scene, options.at});
   if (options.out == "-") options.out.clear();
   const Scene scene = scene_file_with_warnings(options.scene);
   return with_points(options.at, [&](std::istream& stream, const std::string& file) {

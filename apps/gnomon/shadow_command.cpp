@@ -71,8 +71,7 @@ void check_usage(const ShadowOptions& options) {
   if (options.out.empty() && options.json.empty()) {
     throw UsageError("nothing to write: give a folder with --out, or a file with --json");
   }
-  require_place("--json", options.json, OutputKind::json);
-  require_free_folder(options.out);
+  require_result_places(options.out, options.json, {options.scene, options.path});
   if (options.path.empty()) return;
   if (options.out.empty()) throw UsageError("--path writes a series into a folder: give one with --out");
   if (!options.json.empty()) throw UsageError("--json tells one result, --path makes many; leave one of them out");

@@ -73,28 +73,31 @@ void doubt_backs(const SpaceScene& scene, std::vector<std::string>& doubts) {
 }
 
 /// What stands against a light's reaching a facet, the worst first.
-enum class Reach { light_is_behind, light_turns_its_back, reaches };
+enum class Reach { light_is_behind, light_grazes, light_turns_its_back, reaches };
 
 /// Whether something of a light lies strictly before a facet, and an area light shows it its face.
 struct ReachOf {
   const ConvexPolygon& facet;
 
-  Reach operator()(const PointLight& light) const { return reach(is_before(light.position)); }
+  Reach operator()(const PointLight& light) const { return reach(side(light.position)); }
   Reach operator()(const DirectionalLight& light) const {
     const Point3& d = light.direction;
-    return reach(exact_direction_side(corner(0), corner(1), corner(2), {-d.x, -d.y, -d.z}) > 0);
+    return reach(exact_direction_side(corner(0), corner(1), corner(2), {-d.x, -d.y, -d.z}));
   }
-  Reach operator()(const LinearLight& light) const { return reach(is_before(light.start) || is_before(light.end)); }
+  Reach operator()(const LinearLight& light) const { return reach(std::max(side(light.start), side(light.end))); }
   Reach operator()(const AreaLight& light) const {
-    const std::span<const Point3> points = light.polygon.points();
-    if (std::none_of(points.begin(), points.end(), [&](const Point3& p) { return is_before(p); })) return reach(false);
+    int most = -1;
+    for (const Point3& p : light.polygon.points()) most = std::max(most, side(p));
+    if (most <= 0) return reach(most);
     const bool shows_face = light.two_sided || !light.polygon.is_flat() || reaches_front(facet.points(), light.polygon);
     return shows_face ? Reach::reaches : Reach::light_turns_its_back;
   }
 
-  static Reach reach(bool is_before) { return is_before ? Reach::reaches : Reach::light_is_behind; }
+  static Reach reach(int side) {
+    return side > 0 ? Reach::reaches : side == 0 ? Reach::light_grazes : Reach::light_is_behind;
+  }
   const Point3& corner(std::size_t k) const { return facet.points()[facet.corners()[k]]; }
-  bool is_before(const Point3& p) const { return exact_orientation(corner(0), corner(1), corner(2), p) > 0; }
+  int side(const Point3& p) const { return exact_orientation(corner(0), corner(1), corner(2), p); }
 };
 
 std::string text_of_dark(Reach reach, bool two_sided) {
@@ -103,6 +106,9 @@ std::string text_of_dark(Reach reach, bool two_sided) {
            "vertices run counterclockwise, to both with \"two_sided\": true";
   }
   if (two_sided) return ": no light shines on either side of it";
+  if (reach == Reach::light_grazes) {
+    return ": no light is before it; one lies in its plane, and what comes along a plane does not light it";
+  }
   return ": it is turned from every light; a receiver receives from the side from which its vertices run "
          "counterclockwise, from both with \"two_sided\": true";
 }

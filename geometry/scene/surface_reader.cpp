@@ -115,7 +115,42 @@ Rgb light_colour(const SceneElement& element) {
   return node ? colour(*node, largest_double) : Rgb{1, 1, 1};
 }
 
+namespace {
+
+const std::string& name_in_file(const SceneBlocker& blocker) {
+  return blocker.name;
+}
+const std::string& name_in_file(const SceneReceiver& receiver) {
+  return receiver.element;
+}
+
+template <class Element>
+void doubt_creases(const std::vector<Element>& elements, const char* list, std::vector<std::string>& doubts) {
+  std::string last;
+  for (const Element& e : elements) {
+    const bool is_averaged = e.smoothness.normals != VertexNormals::flat && e.smoothness.normals != VertexNormals::file;
+    if (e.smoothness.crease == 180 || is_averaged) continue;
+    std::string title = element_title(list, name_in_file(e));
+    if (title == last) continue;
+    doubts.push_back(title +
+                     ": its \"crease\" does nothing; it goes with \"normals\" that are \"angle\", \"area\" or "
+                     "\"equal\"");
+    last = std::move(title);
+  }
+}
+
+void doubt_ambient_light(const SpaceScene& scene, std::vector<std::string>& doubts) {
+  const auto reflects = [](const SceneMaterial& m) { return m.material.ambient != Rgb{}; };
+  if (scene.ambient_radiance == Rgb{} || std::ranges::any_of(scene.materials, reflects)) return;
+  doubts.push_back("\"ambient_radiance\": no material has an \"ambient\" share, so nothing reflects it");
+}
+
+}  // namespace
+
 void doubt_materials(const SpaceScene& scene, std::vector<std::string>& doubts) {
+  doubt_ambient_light(scene, doubts);
+  doubt_creases(scene.blockers, "blockers", doubts);
+  doubt_creases(scene.receivers, "receivers", doubts);
   for (const auto& [name, material] : scene.materials) {
     if (is_classic(material.model)) continue;
     double most = 0;

@@ -40,7 +40,8 @@ class Validator {
       const std::string found = (this->*check)(value, schema, place);
       if (!found.empty()) return found;
     }
-    return {};
+    if (!schema.contains("not") || !violation(value, schema["not"], place).empty()) return {};
+    return at(place, "is what it must not be: " + schema["not"].dump());
   }
 
  private:
@@ -73,6 +74,7 @@ class Validator {
                                   "additionalProperties",
                                   "anyOf",
                                   "oneOf",
+                                  "not",
                                   "exclusiveMinimum",
                                   "exclusiveMaximum"};
     for (const auto& [key, value] : schema.items()) {

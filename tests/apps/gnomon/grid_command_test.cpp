@@ -71,6 +71,19 @@ TEST_F(GridCommand, RefusesEyesWithoutASurfaceAndSurfacesInThePlane) {
   EXPECT_EQ(gnomon("grid examples/figure_4_17.scene.json --shape 2,2,1 --normal 0,1,0 --out grid.vti").code, 4);
 }
 
+TEST_F(GridCommand, TakesTwoNumbersInThePlane) {
+  write("plane.scene.json", R"({"gnomon": 1, "dimension": 2, "lights": [{"name": "lamp", "shape": "segment",
+    "vertices": [[-1, 4], [1, 4]]}], "blockers": [{"name": "b", "shape": "segment", "vertices": [[-1, 2], [1, 2]]}]})");
+  for (const std::string shape : {"4,3", "4,3,1"}) {
+    const Outcome run = gnomon("grid plane.scene.json --out plane.vti --shape " + shape);
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("12 points"));
+  }
+  const Outcome run = gnomon("grid plane.scene.json --out plane.vti --shape 4,3,2");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("two positive whole numbers nx,ny in a scene of dimension 2"));
+}
+
 TEST_F(GridCommand, RefusesShapesThatAreNone) {
   for (const std::string shape : {"1,2", "0,1,1", "1,1,x", "1,1,1,1", "-1,1,1", "100000,100000,1"}) {
     const Outcome run = gnomon("grid table.scene.json --shape " + shape + " --out grid.vti");

@@ -152,6 +152,23 @@ TEST_F(RegionsCommand, RefusesWhatItCannotUse) {
   EXPECT_EQ(gnomon("regions table.scene.json --at points.csv >/dev/full").code, 1);
 }
 
+TEST_F(RegionsCommand, NeverWritesOverWhatItReads) {
+  const std::string scene = read("table.scene.json");
+  const std::string points = read("points.csv");
+  for (const std::string place : {"--out points.csv", "--out ./examples/../points.csv", "--json table.scene.json"}) {
+    const Outcome run = gnomon("regions table.scene.json --at points.csv " + place);
+    EXPECT_EQ(run.code, 2) << place;
+    EXPECT_THAT(run.err, HasSubstr("this file is read; expected another one to write")) << place;
+  }
+  for (const std::string command : {"check", "shadow", "receivers", "discontinuities"}) {
+    EXPECT_EQ(gnomon(command + " table.scene.json --json table.scene.json").code, 2) << command;
+  }
+  EXPECT_THAT(gnomon("shadow table.scene.json --out result --json result/./manifest.json").err,
+              HasSubstr("the folder's list of files has this name"));
+  EXPECT_EQ(read("table.scene.json"), scene);
+  EXPECT_EQ(read("points.csv"), points);
+}
+
 TEST_F(RegionsCommand, KeepsTheOldFileWhereTheNewOneCannotBeFinished) {
   write("result.csv", "old");
   write("header.csv", "a,b,c\n");

@@ -46,6 +46,27 @@ TEST(SceneSchema, HoldsForTheExamplesAndForTheScenesOfTests) {
   EXPECT_GT(expect_valid_scenes(GNOMON_TEST_DATA "/scenes"), 10u);
 }
 
+TEST(SceneSchema, RefusesNamesAndMeshFilesThatLeadElsewhereAndAnUpAxisInThePlane) {
+  const auto blocker = [](const char* name, const char* file) {
+    return json{{"gnomon", 1},
+                {"dimension", 3},
+                {"lights", json::array()},
+                {"blockers", {{{"name", name}, {"shape", "mesh"}, {"file", file}}}}};
+  };
+  for (const char* good : {"vase.obj", "meshes/vase.obj", "a..b/..vase.obj", "."}) {
+    EXPECT_THAT(schema_violation(blocker("vase", good), scene_schema()), IsEmpty()) << good;
+  }
+  for (const char* bad : {"/vase.obj", "../vase.obj", "a/../vase.obj", "a/.."}) {
+    EXPECT_THAT(schema_violation(blocker("vase", bad), scene_schema()), Not(IsEmpty())) << bad;
+  }
+  EXPECT_THAT(schema_violation(blocker("..", "vase.obj"), scene_schema()), Not(IsEmpty()));
+  EXPECT_THAT(schema_violation(blocker("...", "vase.obj"), scene_schema()), IsEmpty());
+  json plane = {{"gnomon", 1}, {"dimension", 2}, {"lights", json::array()}, {"blockers", json::array()}};
+  EXPECT_THAT(schema_violation(plane, scene_schema()), IsEmpty());
+  plane["up"] = "y";
+  EXPECT_THAT(schema_violation(plane, scene_schema()), Not(IsEmpty()));
+}
+
 TEST(SceneSchema, RefusesWhatTheReaderRefusesByItsForm) {
   for (const std::string name : {"root_is_array",
                                  "no_version",

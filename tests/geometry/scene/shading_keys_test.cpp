@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/scene/scene_doubts.h"
 #include "gnomon/scene.h"
 #include "tests/support/json_schema.h"
 
@@ -137,17 +138,36 @@ TEST(SmoothnessKeys, BelongToMeshes) {
 }
 
 /// A mesh of one triangle and one square, written beside the scene.
-SpaceScene mesh_scene(const std::string& obj, const std::string& normals) {
+SpaceScene mesh_scene(const std::string& obj, const std::string& normals, const std::string& more = "") {
   const auto folder = std::filesystem::temp_directory_path() / ("gnomon-normals-" + std::to_string(getpid()));
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "m.obj") << obj;
   const std::string text = R"({"gnomon": 1, "dimension": 3, "lights": [], "blockers": [{"name": "m", "shape": "mesh",
     "file": "m.obj", "normals": ")" +
-                           normals + R"("}]})";
+                           normals + "\"" + more + "}]}";
   return std::get<SpaceScene>(parse_scene(text, "test", folder));
 }
 
 const std::string obj_vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
+
+TEST(SmoothnessKeys, ThatDoNothingAreDoubted) {
+  const std::string obj = obj_vertices + "f 1 2 3\n";
+  const auto is_doubted = testing::Contains(HasSubstr("blocker \"m\": its \"crease\" does nothing"));
+  EXPECT_THAT(scene_doubts(mesh_scene(obj, "flat", ", \"crease\": 40")), is_doubted);
+  EXPECT_THAT(scene_doubts(mesh_scene(obj, "area", ", \"crease\": 40")), testing::Not(is_doubted));
+  EXPECT_THAT(scene_doubts(mesh_scene(obj, "flat")), testing::Not(is_doubted));
+}
+
+TEST(AmbientLight, ThatNothingReflectsIsDoubted) {
+  const auto doubts = [](const std::string& material) {
+    const std::string text = R"({"gnomon": 1, "dimension": 3, "lights": [], "blockers": [], "ambient_radiance": 2,
+      "materials": [{"name": "chalk")" +
+                             material + "}]}";
+    return scene_doubts(std::get<SpaceScene>(parse_scene(text, "test", ".")));
+  };
+  EXPECT_THAT(doubts(""), testing::Contains(HasSubstr("\"ambient_radiance\": no material has an \"ambient\" share")));
+  EXPECT_THAT(doubts(R"(, "ambient": 0.5)"), testing::Not(testing::Contains(HasSubstr("ambient"))));
+}
 
 TEST(SmoothnessKeys, TakeNormalsFromAnObjFile) {
   const SpaceScene scene =
