@@ -50,12 +50,7 @@ void choose_receivers(DivisionPlan& plan, const std::string& name) {
   require_receiver("--receiver", name, receivers);
   for (std::uint32_t r = 0; r < receivers.size(); ++r) {
     if (!name.empty() && !receivers[r].is_called(name)) continue;
-    const std::string_view reason = division_refusal(receivers[r].shape);
-    if (reason.empty()) {
-      plan.receivers.push_back(r);
-    } else {
-      plan.left_out.push_back("receiver '" + receivers[r].name + "' is left out: " + std::string(reason));
-    }
+    plan.receivers.push_back(r);
   }
 }
 
@@ -77,10 +72,6 @@ DivisionPlan division_plan(const Scene& scene, const ReceiverSelection& selectio
   if (!lights_left_out.empty()) plan.left_out.push_back(lights_left_out);
   if (plan.lights.empty() && plan.refusal.empty()) plan.refusal = lights_left_out;
   choose_receivers(plan, selection.receiver);
-  const bool lacks_receivers = plan.receivers.empty() && !space->receivers.empty();
-  if (subject == DivisionOf::receivers && lacks_receivers && plan.refusal.empty()) {
-    plan.refusal = "no receiver asked for has exactly coplanar vertices";
-  }
   return plan;
 }
 

@@ -161,7 +161,8 @@ PolygonPlane rounded_plane(std::span<const Point3> points) {
   const PointTriple triple = wide_triple(points, from_first);
   const Point3& p = points[triple[0]];
   const ExactVector normal = cross(exact_difference(points[triple[1]], p), exact_difference(points[triple[2]], p));
-  PolygonPlane plane{dominant_axis(points, triple)};
+  PolygonPlane plane{dominant_axis(points, triple), triple};
+  std::ranges::sort(plane.vertices);
   Rational farthest = 0;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     const Rational distance = abs(dot(normal, exact_difference(points[i], p)));
@@ -199,7 +200,7 @@ std::optional<PolygonPlane> polygon_plane(std::span<const Point3> points) {
   const std::optional<PointTriple> triple = first_triangle(points);
   if (!triple) return std::nullopt;
   if (!lie_in_plane(points, *triple)) return rounded_plane(points);
-  return PolygonPlane{dominant_axis(points, *triple)};
+  return PolygonPlane{dominant_axis(points, *triple), *triple};
 }
 
 bool are_coplanar(std::span<const Point3> points) {

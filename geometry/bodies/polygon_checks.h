@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -35,7 +36,8 @@ enum class Flatness {
 /// of the largest area. No vertex is then much farther from it than from the best plane there is, and for most
 /// polygons it is the plane of the first three vertices.
 struct PolygonPlane {
-  int dropped_axis;            ///< 0, 1, 2 for x, y, z: leaving it out maps the plane one to one
+  int dropped_axis = 0;                     ///< 0, 1, 2 for x, y, z: leaving it out maps the plane one to one
+  std::array<std::uint32_t, 3> vertices{};  ///< that span it, in order
   double deviation = 0;        ///< of `farthest`; relative error below 1e-12; 0 if and only if exactly coplanar
   std::uint32_t farthest = 0;  ///< the vertex farthest from the plane, of lowest index
   Flatness flatness = Flatness::flat;

@@ -31,16 +31,12 @@ std::string_view range_refusal(const Light& light) {
 
 std::string_view division_refusal(const Light& light, std::span<const ClosedSurface> enclosures) {
   const auto* area = std::get_if<AreaLight>(&light);
-  if (area && !area->polygon.is_flat()) return division_refusal(area->polygon);
+  if (area && !area->polygon.is_flat()) return "its vertices are not exactly coplanar";
   for (const Point3& p : light_points(light)) {
     const auto holds = [&](const ClosedSurface& surface) { return is_strictly_inside(p, surface); };
     if (std::ranges::any_of(enclosures, holds)) return "it lies inside a closed mesh";
   }
   return {};
-}
-
-std::string_view division_refusal(const ConvexPolygon& receiver) {
-  return receiver.is_flat() ? "" : "its vertices are not exactly coplanar";
 }
 
 }  // namespace gnomon

@@ -1,12 +1,16 @@
 #include "geometry/discontinuity/event_scene.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <tuple>
 #include <utility>
 
+#include "geometry/bodies/polygon_checks.h"
 #include "geometry/discontinuity/light_cuts.h"
+#include "geometry/discontinuity/receiver_plane.h"
 #include "gnomon/errors.h"
 
 namespace gnomon::event {
@@ -16,12 +20,22 @@ struct PointOrder {
   bool operator()(const Point3& a, const Point3& b) const { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
 };
 
+/// The box of a point: of a constructed one with all that may be rounded to its coordinates.
+Box3 box_around(const EventPoint& point) {
+  const Point3& p = point.input;
+  if (point.kind == EventPoint::Kind::input) return {p, p};
+  const auto moved = [&](double to) {
+    return Point3{std::nextafter(p.x, to), std::nextafter(p.y, to), std::nextafter(p.z, to)};
+  };
+  return {moved(-std::numeric_limits<double>::infinity()), moved(std::numeric_limits<double>::infinity())};
+}
+
 Box3 box_around(const Shape& shape, std::span<const EventPoint> points) {
-  Box3 box{points[shape.corners[0]].input, points[shape.corners[0]].input};
+  Box3 box = box_around(points[shape.corners[0]]);
   for (const PointId id : shape.corners) {
-    const Point3& p = points[id].input;
-    box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};
-    box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
+    const auto [low, high] = box_around(points[id]);
+    box.min = {std::min(box.min.x, low.x), std::min(box.min.y, low.y), std::min(box.min.z, low.z)};
+    box.max = {std::max(box.max.x, high.x), std::max(box.max.y, high.y), std::max(box.max.z, high.z)};
   }
   return box;
 }
@@ -49,9 +63,7 @@ class EventScene::Builder {
   }
 
   void add_receiver(const ConvexPolygon& polygon) {
-    if (!polygon.is_flat()) throw PreconditionError("a receiver's vertices must be exactly coplanar");
-    Shape shape;
-    for (const std::uint32_t k : polygon.corners()) shape.corners.push_back(point(polygon.points()[k]));
+    Shape shape = polygon.is_flat() ? flat_receiver(polygon) : rounded_receiver(polygon);
     for (std::size_t k = 0; k < shape.corners.size(); ++k) {
       shape.edges.push_back({shape.corners[k], shape.corners[(k + 1) % shape.corners.size()], 0});
     }
@@ -83,6 +95,38 @@ class EventScene::Builder {
     const auto [found, is_new] = ids_.try_emplace(q, static_cast<PointId>(scene_.points.size()));
     if (is_new) scene_.points.push_back({EventPoint::Kind::input, q, {}});
     return found->second;
+  }
+
+  Shape flat_receiver(const ConvexPolygon& polygon) {
+    Shape shape;
+    for (const std::uint32_t k : polygon.corners()) shape.corners.push_back(point(polygon.points()[k]));
+    std::copy_n(shape.corners.begin(), 3, shape.plane.begin());
+    return shape;
+  }
+
+  /// Its corners are moved into its plane along the axis along which it is seen to be convex.
+  Shape rounded_receiver(const ConvexPolygon& polygon) {
+    const PolygonPlane span = *polygon_plane(polygon.points());
+    Shape shape;
+    std::array<ExactVector, 3> places;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point3& p = polygon.points()[span.vertices[k]];
+      shape.plane[k] = point(p);
+      places[k] = exact(p);
+    }
+    const ExactPlane plane = plane_through(places[0], places[1], places[2]);
+    const ExactVector axis{span.dropped_axis == 0, span.dropped_axis == 1, span.dropped_axis == 2};
+    for (const std::uint32_t k : polygon.corners()) {
+      const ExactVector corner = exact(polygon.points()[k]);
+      const Rational height = plane.height(corner);
+      if (height == 0) {
+        shape.corners.push_back(point(polygon.points()[k]));
+        continue;
+      }
+      shape.corners.push_back(static_cast<PointId>(scene_.points.size()));
+      scene_.points.push_back(constructed_point(corner - Rational(height / plane.slope(axis)) * axis));
+    }
+    return shape;
   }
 
   void add_light_vertex(PointId id, std::uint32_t index) {

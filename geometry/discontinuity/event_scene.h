@@ -47,6 +47,7 @@ struct Shape {
   std::vector<PointId> corners;              ///< of a flat shape: in order
   std::vector<ShapeEdge> edges;              ///< of a flat shape: from each corner to the next
   std::vector<std::vector<PointId>> facets;  ///< of a solid: loops, counterclockwise seen from outside
+  std::array<PointId, 3> plane{};            ///< of a receiver: points of the scene that span it, counterclockwise
   bool is_in_front = true;                   ///< some corner lies strictly in front of the light's plane, ...
   bool is_behind = false;                    ///< ... some strictly behind
 };

@@ -64,7 +64,7 @@ class HorizonTraces {
                 std::vector<NamedSegment>& segments)
       : scene_(scene), receiver_(scene.receivers[receiver]), plane_(plane), segments_(segments) {
     for (const PointId p : receiver_.corners) {
-      corners_.push_back(plane_.flat(exact(scene_.points[p].input)));
+      corners_.push_back(plane_.flat(exact_place(scene_.points[p])));
       near_corners_.push_back(flat_enclosure(corners_.back()));
     }
   }
@@ -92,7 +92,7 @@ class HorizonTraces {
   }
 
   int side(PointId p) const {
-    const auto& c = receiver_.corners;
+    const auto& c = receiver_.plane;
     if (p == c[0] || p == c[1] || p == c[2]) return 0;
     return orientation(scene_.points[c[0]], scene_.points[c[1]], scene_.points[c[2]], scene_.points[p]);
   }
@@ -102,7 +102,8 @@ class HorizonTraces {
     std::vector<Point3> points;
     for (const PointId p : receiver_.corners) points.push_back(scene_.points[p].input);
     std::vector<RoughHalfSpace> region = shaft(scene_, points);
-    region.push_back(rough_half_space(points[0], step(points[0], points[1]), step(points[0], points[2])));
+    const auto place = [&](std::size_t k) { return scene_.points[receiver_.plane[k]].input; };
+    region.push_back(rough_half_space(place(0), step(place(0), place(1)), step(place(0), place(2))));
     region.push_back(reversed(region.back()));
     std::vector<ShapeId> found;
     find_boxes(scene_.shape_boxes, region, found);

@@ -28,7 +28,7 @@ bool LightBefore::is_whole() const {
 
 LightBefore light_before(const EventScene& scene, const Shape& receiver, const ReceiverPlane& plane) {
   LightBefore light;
-  const auto& c = receiver.corners;
+  const auto& c = receiver.plane;
   for (const LightVertex& v : scene.light_vertices) {
     light.sides.push_back(
         orientation(scene.points[c[0]], scene.points[c[1]], scene.points[c[2]], scene.points[v.point]));

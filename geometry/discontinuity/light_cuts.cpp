@@ -1,32 +1,11 @@
 #include "geometry/discontinuity/light_cuts.h"
 
-#include <CGAL/Gmpz.h>
-
 #include <algorithm>
 
 #include "geometry/discontinuity/receiver_plane.h"
-#include "geometry/numbers/rounding.h"
 
 namespace gnomon::event {
 namespace {
-
-/// CGAL 5.5 loses the sign of a negative integer on the way, and does not know zero.
-ExactReal exact_real(const Integer& integer) {
-  if (integer == 0) return ExactReal(0);
-  const Integer size = abs(integer);
-  const ExactReal result(CGAL::Gmpz(size.backend().data()));
-  return integer.sign() < 0 ? -result : result;
-}
-
-/// A constructed point with whole numbers for coordinates.
-EventPoint event_point(const ExactVector& p) {
-  const auto [x, y, z, w] = whole_coordinates(p);
-  EventPoint point;
-  point.kind = EventPoint::Kind::constructed;
-  point.input = {nearest_double(p.x), nearest_double(p.y), nearest_double(p.z)};
-  point.exact = {exact_real(x), exact_real(y), exact_real(z), exact_real(w)};
-  return point;
-}
 
 class LightCuts {
  public:
@@ -75,7 +54,7 @@ class LightCuts {
     if (ends.size() != 2) return;
     FlatSegment segment{ends[0], ends[1], 0};
     if (!clip(segment, outline)) return;
-    cuts_.push_back({{event_point(plane.spatial(segment.start)), event_point(plane.spatial(segment.end))}});
+    cuts_.push_back({{constructed_point(plane.spatial(segment.start)), constructed_point(plane.spatial(segment.end))}});
   }
 
   /// The point in which the segment from a to b passes through a loop's polygon.
@@ -89,7 +68,7 @@ class LightCuts {
       const FlatPoint c = plane.flat(at(loop[k])), d = plane.flat(at(loop[(k + 1) % loop.size()]));
       if ((d.x - c.x) * (q.y - c.y) - (d.y - c.y) * (q.x - c.x) < 0) return;
     }
-    cuts_.push_back({{event_point(p), event_point(p)}});
+    cuts_.push_back({{constructed_point(p), constructed_point(p)}});
   }
 
   const EventScene& scene_;
@@ -124,7 +103,7 @@ std::optional<LightCut> plane_cut(const EventScene& scene, const std::vector<Poi
     const Rational at_p = plane.height(p), at_q = plane.height(q);
     ends.push_back(p + Rational(at_p / (at_p - at_q)) * (q - p));
   }
-  return LightCut{{event_point(ends.front()), event_point(ends.back())}};
+  return LightCut{{constructed_point(ends.front()), constructed_point(ends.back())}};
 }
 
 }  // namespace gnomon::event

@@ -31,7 +31,7 @@ bool belong_together(const Outline& p, const Outline& q) {
 std::vector<Outline> outlines(const EventScene& scene, std::span<const ShapeId> shapes) {
   const auto place = [&](PointId id) {
     const EventPoint& p = scene.points[id];
-    return Place(p.exact ? affine(*p.exact) : exact(p.input));
+    return Place(exact_place(p));
   };
   std::vector<Outline> found;
   const std::size_t n = scene.light_edges.size();

@@ -29,7 +29,7 @@ class PlaneTraces {
     for (std::size_t k = 0; k < c.size(); ++k) {
       const PointId p = c[k], q = c[(k + 1) % c.size()];
       const int s = scene_.light_side(p), t = scene_.light_side(q);
-      if (s == 0) ends.push_back(plane_.flat(exact(scene_.points[p].input)));
+      if (s == 0) ends.push_back(flat_corner(p));
       if (s * t < 0) ends.push_back(plane_.flat(crossing(light_plane(), p, q)));
     }
     if (ends.size() != 2) return;
@@ -38,17 +38,21 @@ class PlaneTraces {
 
  private:
   int side(const EventPoint& p) const {
-    const auto& c = receiver_.corners;
+    const auto& c = receiver_.plane;
     return orientation(scene_.points[c[0]], scene_.points[c[1]], scene_.points[c[2]], p);
   }
 
   std::vector<ShapeId> shapes_near_plane() const {
     const auto& c = receiver_.corners;
-    const Point3 &p = scene_.points[c[0]].input, &q = scene_.points[c[1]].input, &r = scene_.points[c[2]].input;
+    const auto place = [&](std::size_t k) { return scene_.points[receiver_.plane[k]].input; };
+    const Point3 p = place(0), q = place(1), r = place(2);
     std::vector<RoughHalfSpace> region{
         rough_half_space(p, {q.x - p.x, q.y - p.y, q.z - p.z}, {r.x - p.x, r.y - p.y, r.z - p.z})};
     region.push_back(reversed(region[0]));
-    for (std::size_t k = 0; k < c.size(); ++k) {
+    // Sides between constructed corners are farther off than half-spaces in doubles tell.
+    const bool is_input =
+        std::ranges::all_of(c, [&](PointId k) { return scene_.points[k].kind == EventPoint::Kind::input; });
+    for (std::size_t k = 0; is_input && k < c.size(); ++k) {
       const Point3 &a = scene_.points[c[k]].input, &b = scene_.points[c[(k + 1) % c.size()]].input;
       region.push_back(
           rough_side(region[0], {b.x - a.x, b.y - a.y, b.z - a.z}, a, scene_.points[c[(k + 2) % c.size()]].input));
@@ -66,7 +70,7 @@ class PlaneTraces {
   }
 
   ExactVector crossing(const ExactPlane& plane, PointId p, PointId q) const {
-    const ExactVector a = exact(scene_.points[p].input), b = exact(scene_.points[q].input);
+    const ExactVector a = exact_place(scene_.points[p]), b = exact_place(scene_.points[q]);
     const Rational at_a = plane.height(a), at_b = plane.height(b);
     return a + Rational(at_a / (at_a - at_b)) * (b - a);
   }
@@ -80,7 +84,7 @@ class PlaneTraces {
     return {EventKind::contact, element, element, 0, Extremal::none};
   }
 
-  FlatPoint flat_corner(PointId p) const { return plane_.flat(exact(scene_.points[p].input)); }
+  FlatPoint flat_corner(PointId p) const { return plane_.flat(exact_place(scene_.points[p])); }
 
   /// A loop that touches the receiver's plane with all its vertices.
   void add_outline(const std::vector<PointId>& loop, const EventName& name) {

@@ -26,7 +26,7 @@ namespace gnomon::event {
 const QuickSight::Place& QuickSight::place(PointId p) {
   Place& known = places_[p];
   if (known.is_known) return known;
-  const auto& c = receiver_.corners;
+  const auto& c = receiver_.plane;
   const bool is_corner = p == c[0] || p == c[1] || p == c[2];
   known.is_before_plane =
       !is_corner && orientation(scene_.points[c[0]], scene_.points[c[1]], scene_.points[c[2]], scene_.points[p]) > 0;

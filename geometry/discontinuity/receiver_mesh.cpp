@@ -100,7 +100,7 @@ AllTraces all_traces(const EventScene& scene, unsigned threads) {
 std::vector<FlatPoint> flat_corners(const EventScene& scene, std::uint32_t receiver, const ReceiverPlane& plane) {
   std::vector<FlatPoint> corners;
   for (const event::PointId p : scene.receivers[receiver].corners) {
-    corners.push_back(plane.flat(exact(scene.points[p].input)));
+    corners.push_back(plane.flat(exact_place(scene.points[p])));
   }
   return corners;
 }
@@ -138,7 +138,7 @@ std::vector<FlatSegment> dividing_segments(const EventScene& scene, std::uint32_
 }
 
 ReceiverPlane plane_of(const EventScene& scene, std::uint32_t receiver) {
-  const auto& c = scene.receivers[receiver].corners;
+  const auto& c = scene.receivers[receiver].plane;
   return {scene.points[c[0]].input, scene.points[c[1]].input, scene.points[c[2]].input};
 }
 

@@ -1,8 +1,23 @@
 #include "geometry/discontinuity/receiver_plane.h"
 
+#include <CGAL/Gmpz.h>
+
 #include <utility>
 
+#include "geometry/numbers/rounding.h"
+
 namespace gnomon::event {
+namespace {
+
+/// CGAL 5.5 loses the sign of a negative integer on the way, and does not know zero.
+ExactReal exact_real(const Integer& integer) {
+  if (integer == 0) return ExactReal(0);
+  const Integer size = abs(integer);
+  const ExactReal result(CGAL::Gmpz(size.backend().data()));
+  return integer.sign() < 0 ? -result : result;
+}
+
+}  // namespace
 
 const Rational& coordinate(const ExactVector& v, std::size_t axis) {
   return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
@@ -11,6 +26,19 @@ const Rational& coordinate(const ExactVector& v, std::size_t axis) {
 ExactVector affine(const Quadruple<ExactReal>& point) {
   const Rational w = rational(point[3]);
   return {rational(point[0]) / w, rational(point[1]) / w, rational(point[2]) / w};
+}
+
+ExactVector exact_place(const EventPoint& point) {
+  return point.exact ? affine(*point.exact) : exact(point.input);
+}
+
+EventPoint constructed_point(const ExactVector& p) {
+  const auto [x, y, z, w] = whole_coordinates(p);
+  EventPoint point;
+  point.kind = EventPoint::Kind::constructed;
+  point.input = {nearest_double(p.x), nearest_double(p.y), nearest_double(p.z)};
+  point.exact = {exact_real(x), exact_real(y), exact_real(z), exact_real(w)};
+  return point;
 }
 
 ReceiverPlane::ReceiverPlane(const Point3& p, const Point3& q, const Point3& r)

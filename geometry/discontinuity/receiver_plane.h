@@ -51,6 +51,12 @@ const Rational& coordinate(const ExactVector& v, std::size_t axis);
 /// The point with homogeneous coordinates; w is not 0.
 ExactVector affine(const Quadruple<ExactReal>& point);
 
+/// Where a point of the scene, or one constructed from it, lies.
+ExactVector exact_place(const EventPoint& point);
+
+/// A constructed point with whole numbers for coordinates.
+EventPoint constructed_point(const ExactVector& place);
+
 /// The part of a segment in a convex polygon that runs counterclockwise; false if it has no length.
 bool clip(FlatSegment& segment, std::span<const FlatPoint> polygon);
 

@@ -257,9 +257,8 @@ void WedgeTracer::trace_on(Pencil& pencil, const Wedge& wedge, Cone cone, std::u
   const Shape& receiver = scene_.receivers[r];
   RayRange range;
   if (!receiver_range(pencil, wedge, cone, receiver, range)) return;
-  const std::array<PointId, 3> corners{receiver.corners[0], receiver.corners[1], receiver.corners[2]};
-  const int side = orientation(scene_.points[corners[0]], scene_.points[corners[1]], scene_.points[corners[2]],
-                               scene_.points[wedge.apex]);
+  const auto place = [&](std::size_t k) -> const EventPoint& { return scene_.points[receiver.plane[k]]; };
+  const int side = orientation(place(0), place(1), place(2), scene_.points[wedge.apex]);
   // A receiver receives with its front. Lines through an apex in its plane run along it: see horizon_traces.h.
   if (side <= 0) return;
   std::vector<RayRange> left;
@@ -267,7 +266,7 @@ void WedgeTracer::trace_on(Pencil& pencil, const Wedge& wedge, Cone cone, std::u
     if (intersect(pencil, part, range)) left.push_back(part);
   }
   if (left.empty()) return;
-  const FunctionId plane = pencil.add_plane(corners, side);
+  const FunctionId plane = pencil.add_plane(receiver.plane, side);
   blocked_.clear();
   append_blocked(pencil, plane, range, cone);
   subtract(pencil, blocked_, left);

@@ -67,9 +67,7 @@ void doubt_flatness(const SceneElement& element, const PolygonPlane& plane, Spac
   if (plane.flatness == Flatness::rounded) {
     const bool is_receiver = element.title.starts_with("receiver ");
     scene.doubts.push_back(text + ", within the limit of 1e-9 of its diameter, and count as rounded" +
-                           (is_receiver ? "; it is not divided into regions: for that write it as a concave_polygon, "
-                                          "which is taken as triangles"
-                                        : ""));
+                           (is_receiver ? "; it is divided as if they lay in that plane" : ""));
   } else if (plane.flatness == Flatness::bent) {
     scene.doubts.push_back(text + "; it is bent, and taken as triangles, " + element.name + "#0 and so on");
   }
@@ -100,7 +98,8 @@ PolygonShape read_polygon(const SceneElement& element, ConcaveRing concave, Spac
   RingNodes nodes = read_rings(element, scene);
   if (concave != ConcaveRing::accepted && nodes.holes.empty() && !ConvexPolygon::defect(nodes.points)) {
     ConvexPolygon polygon = ConvexPolygon::from_points(std::move(nodes.points));
-    if (!polygon.is_flat()) doubt_flatness(element, {0, polygon.deviation(), 0, Flatness::rounded}, scene);
+    if (!polygon.is_flat())
+      doubt_flatness(element, {.deviation = polygon.deviation(), .flatness = Flatness::rounded}, scene);
     return polygon;
   }
   PolygonExamination polygon = examined_polygon(nodes.points, nodes.boundary, nodes.holes);

@@ -157,9 +157,8 @@ class ReceiverMesh {
 std::string_view range_refusal(const Light& light);
 std::string_view range_refusal(std::span<const Point3> points);
 
-/// What stands against dividing receivers by this light, or against dividing this receiver; empty if nothing does.
+/// What stands against dividing receivers by this light; empty if nothing does.
 std::string_view division_refusal(const Light& light, std::span<const ClosedSurface> enclosures = {});
-std::string_view division_refusal(const ConvexPolygon& receiver);
 
 /// Receivers, ready to be divided by what they receive of one light behind all blockers.
 ///

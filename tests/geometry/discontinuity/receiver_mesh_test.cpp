@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <random>
 #include <set>
 
@@ -228,6 +229,44 @@ TEST(ReceiverMeshProperty, FacesHaveTheRegionOfTheDefinition) {
     compared += expect_true_mesh(light, blockers, floor_of(4), 260);
   }
   EXPECT_GT(compared, 10000U);
+}
+
+/// A tilted quadrangle of which the last corner is rounded, and a triangle in its plane that holds it.
+std::array<ConvexPolygon, 2> rounded_in_flat(Draw& draw) {
+  const Point3 p{-3, -3, draw.quarter(-1, 1)};
+  const Point3 q{3, draw.quarter(-3, -2), draw.quarter(-1, 1)}, r{draw.quarter(-3, -2), 3, draw.quarter(-1, 1)};
+  const double s = draw.integer(30, 100) / 99.0, t = draw.integer(30, 100) / 97.0;
+  const auto at = [&](double u, double v) {
+    return Point3{p.x + u * (q.x - p.x) + v * (r.x - p.x), p.y + u * (q.y - p.y) + v * (r.y - p.y),
+                  p.z + u * (q.z - p.z) + v * (r.z - p.z)};
+  };
+  return {ConvexPolygon::from_points({p, q, at(s + 0.4, t + 0.4), r}),
+          ConvexPolygon::from_points({p, at(4, 0), at(0, 4)})};
+}
+
+TEST(ReceiverMeshProperty, ARoundedReceiverIsDividedAsPartOfItsPlane) {
+  std::size_t compared = 0, rounded = 0;
+  for (unsigned seed = 1; seed <= 60; ++seed) {
+    Draw draw(seed);
+    const Light light = draw.any_light();
+    Blockers blockers;
+    for (int n = draw.integer(1, 3); n > 0; --n) blockers.push_back(draw.blocker());
+    const auto [receiver, plane] = rounded_in_flat(draw);
+    rounded += receiver.is_flat() ? 0 : 1;
+    const ReceiverMesh mesh = mesh_of(light, blockers, receiver), whole = mesh_of(light, blockers, plane);
+    EXPECT_TRUE(mesh.areas_add_up()) << seed;
+    std::mt19937 random(seed);
+    std::uniform_int_distribution<int> number(-3000, 4000);
+    for (int n = 0; n < 100; ++n) {
+      const ExactVector p = whole.data().plane.spatial({Rational(number(random), 999), Rational(number(random), 997)});
+      const auto face = face_at(mesh, p), of_whole = face_at(whole, p);
+      if (!face || !of_whole) continue;
+      ++compared;
+      EXPECT_EQ(mesh.faces()[*face].region, whole.faces()[*of_whole].region) << seed;
+    }
+  }
+  EXPECT_GT(rounded, 40U);
+  EXPECT_GT(compared, 2000U);
 }
 
 TEST(ReceiverMeshProperty, OneConvexBlockerLeavesNothingUnresolved) {
