@@ -220,7 +220,7 @@ ExitCode on_receiver(const IrradianceOptions& options, const SpaceScene& scene) 
     throw UnsupportedError(scene.source + ": receiver '" + options.on + "' is wider than doubles go (1.8e308)");
   }
   const double lift = lift_of(options);
-  const OwnBlockers own(obstacles.obstacles());
+  const OwnBlockers own(obstacles.obstacles().blockers);
   const auto receiver_of = [&](const PointRow& row) {
     return lift == 0 ? rows.receiver_of(row, own) : lifted_point(obstacles, row, lift);
   };

@@ -42,7 +42,7 @@ void paint_under_light(std::vector<PaintedReceiver>& all, const SpaceScene& scen
                        const PreparedObstacles& obstacles, unsigned threads) {
   const SceneLight& light = scene.lights[sides.front().front().light_id];
   const LengthUnit unit = *length_unit_named(scene.length_unit);
-  const OwnBlockers own(obstacles.obstacles());
+  const OwnBlockers own(obstacles.obstacles().blockers);
   const auto of_workers = std::make_shared<std::vector<LightIrradiance>>();
   for (unsigned t = 0; t < threads; ++t) of_workers->emplace_back(light.shape, light.strength, obstacles);
   std::vector<image::IrradianceMesh> meshes(sides.size());

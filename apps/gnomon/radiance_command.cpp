@@ -155,7 +155,7 @@ ExitCode on_receiver_seen(const RadianceOptions& options, const SpaceScene& scen
   if (!rows.has_finite_points()) {
     throw UnsupportedError(scene.source + ": receiver '" + options.on + "' is wider than doubles go (1.8e308)");
   }
-  const OwnBlockers own(obstacles.obstacles());
+  const OwnBlockers own(obstacles.obstacles().blockers);
   const auto next_batch = [&] {
     std::vector<TableRow> batch = rows.next();
     for (TableRow& row : batch) std::get<PointRow>(row).eye = eye;

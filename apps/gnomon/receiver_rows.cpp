@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "apps/gnomon/text.h"
-#include "geometry/bodies/polygon_checks.h"
 #include "geometry/scene/receiver_facets.h"
 
 namespace gnomon {
@@ -11,38 +10,7 @@ namespace {
 
 constexpr std::size_t most_rows = 1024;
 
-/// True of the thin solid between vertices that are coplanar but for rounding.
-bool stands_for_polygon(const ConvexSolid& solid) {
-  const auto plane = polygon_plane(solid.points());
-  return plane && plane->flatness <= Flatness::rounded;
-}
-
 }  // namespace
-
-OwnBlockers::OwnBlockers(const Obstacles& obstacles) {
-  for (std::uint32_t b = 0; b < obstacles.blockers.size(); ++b) {
-    const auto* solid = std::get_if<ConvexSolid>(&obstacles.blockers[b]);
-    if (!solid || !stands_for_polygon(*solid)) continue;
-    for (const Point3& p : solid->points()) {
-      std::vector<std::uint32_t>& solids = solids_at_[{p.x, p.y, p.z}];
-      if (solids.empty() || solids.back() != b) solids.push_back(b);
-    }
-  }
-}
-
-std::vector<std::uint32_t> OwnBlockers::of(const ConvexPolygon& facet) const {
-  std::vector<std::uint32_t> common;
-  bool first = true;
-  for (const Point3& p : facet.points()) {
-    const auto found = solids_at_.find({p.x, p.y, p.z});
-    if (found == solids_at_.end()) return {};
-    if (first) common = found->second;
-    first = false;
-    std::erase_if(common,
-                  [&](std::uint32_t b) { return !std::binary_search(found->second.begin(), found->second.end(), b); });
-  }
-  return common;
-}
 
 ReceiverRows::ReceiverRows(const SpaceScene& scene, const std::string& name,
                            const std::optional<std::array<std::uint32_t, 2>>& shape)

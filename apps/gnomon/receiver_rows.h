@@ -4,29 +4,17 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "apps/gnomon/point_batches.h"
+#include "geometry/bodies/own_blockers.h"
 #include "gnomon/scene.h"
 #include "gnomon/visibility.h"
 #include "shading/receiver_grid.h"
 
 namespace gnomon {
-
-/// Which thin solids have the corners of a facet among their vertices: they stand for facets whose vertices are not
-/// exactly coplanar, and must not hide the light from them.
-class OwnBlockers {
- public:
-  explicit OwnBlockers(const Obstacles& obstacles);
-  std::vector<std::uint32_t> of(const ConvexPolygon& facet) const;
-
- private:
-  using Place = std::array<double, 3>;
-  std::map<Place, std::vector<std::uint32_t>> solids_at_;  ///< ascending
-};
 
 /// Points on the facets of a receiver, facet by facet, as rows of a table.
 class ReceiverRows {

@@ -22,7 +22,7 @@ class SideSeen {
       : scene_(scene),
         light_(scene.lights[side.front().light_id]),
         unit_(*length_unit_named(scene.length_unit)),
-        own_(obstacles.obstacles()),
+        own_(obstacles.obstacles().blockers),
         eye_(eye_named(seen.eye, scene)),
         surface_(scene, {&light_}, chosen_material(seen.material, side.front().side, scene).material, obstacles,
                  threads) {

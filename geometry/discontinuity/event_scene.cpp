@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "geometry/bodies/own_blockers.h"
 #include "geometry/bodies/polygon_checks.h"
 #include "geometry/discontinuity/light_cuts.h"
 #include "geometry/discontinuity/receiver_plane.h"
@@ -312,8 +313,16 @@ EventScene::EventScene(const Light& light, std::span<const ConvexBlocker> blocke
   Builder builder(*this);
   builder.add(light);
   for (const ConvexBlocker& blocker : blockers) builder.add(blocker);
-  for (const ConvexPolygon& receiver : receiver_polygons) builder.add_receiver(receiver);
+  const OwnBlockers own(blockers);
+  for (const ConvexPolygon& receiver : receiver_polygons) {
+    builder.add_receiver(receiver);
+    receivers.back().own = own.of(receiver);
+  }
   builder.finish();
+}
+
+bool EventScene::is_own(const Shape& receiver, ShapeId blocker) {
+  return std::binary_search(receiver.own.begin(), receiver.own.end(), blocker);
 }
 
 int EventScene::light_side(PointId point) const {

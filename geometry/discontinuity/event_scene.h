@@ -48,6 +48,7 @@ struct Shape {
   std::vector<ShapeEdge> edges;              ///< of a flat shape: from each corner to the next
   std::vector<std::vector<PointId>> facets;  ///< of a solid: loops, counterclockwise seen from outside
   std::array<PointId, 3> plane{};            ///< of a receiver: points of the scene that span it, counterclockwise
+  std::vector<ShapeId> own;                  ///< of a receiver: what it is a facet of, up to rounding; ascending
   bool is_in_front = true;                   ///< some corner lies strictly in front of the light's plane, ...
   bool is_behind = false;                    ///< ... some strictly behind
 };
@@ -83,6 +84,8 @@ struct CuttingFacet {
   std::array<PointId, 2> light_ends{};  ///< where the plane cuts the light's outline; of a linear light twice the same
 };
 
+/// Thin solids between a receiver's own vertices, that stand for polygons whose vertices were rounded, hide nothing
+/// from it.
 /// Requires: the rounding mode is protected while it is made.
 class EventScene {
  public:
@@ -107,6 +110,9 @@ class EventScene {
 
   /// Side of the light's plane; +1 for lights without.
   int light_side(PointId point) const;
+
+  /// Whether a blocker is what a receiver is a facet of, up to rounding.
+  static bool is_own(const Shape& receiver, ShapeId blocker);
 
  private:
   class Builder;

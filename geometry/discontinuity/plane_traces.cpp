@@ -59,6 +59,7 @@ class PlaneTraces {
     }
     std::vector<ShapeId> found;
     find_boxes(scene_.shape_boxes, region, found);
+    std::erase_if(found, [&](ShapeId s) { return EventScene::is_own(receiver_, s); });
     std::sort(found.begin(), found.end());
     return found;
   }

@@ -41,7 +41,7 @@ bool QuickSight::hides_nothing(ShapeId s) {
     const auto& corners = scene_.shapes[s].corners;
     const bool may_hide =
         std::any_of(corners.begin(), corners.end(), [&](PointId p) { return place(p).is_before_plane; });
-    known_[s] = may_hide ? 1 : 2;
+    known_[s] = may_hide && !EventScene::is_own(receiver_, s) ? 1 : 2;
   }
   return known_[s] == 2;
 }

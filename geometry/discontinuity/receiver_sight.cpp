@@ -61,6 +61,7 @@ bool is_on_sightline(const ExactVector& p, const ExactVector& between, const Exa
 ReceiverSight::ReceiverSight(const EventScene& scene, const Light& light, std::span<const ConvexBlocker> blockers,
                              std::uint32_t receiver, const ReceiverPlane& plane)
     : scene_(scene),
+      receiver_(scene.receivers[receiver]),
       light_(light),
       blockers_(blockers),
       plane_(plane),
@@ -107,7 +108,7 @@ bool ReceiverSight::may_hide(ShapeId shape) {
     const bool is_before = std::any_of(corners.begin(), corners.end(), [&](PointId q) {
       return plane_.plane().height(exact_point(scene_.points[q])) > 0;
     });
-    known_[shape] = is_before ? 1 : 2;
+    known_[shape] = is_before && !EventScene::is_own(receiver_, shape) ? 1 : 2;
   }
   return known_[shape] == 1;
 }

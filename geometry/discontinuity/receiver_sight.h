@@ -84,6 +84,7 @@ class ReceiverSight {
   bool shows_one_point(const VisiblePart& part, std::span<const ExactVector> face) const;
 
   const EventScene& scene_;
+  const Shape& receiver_;
   const Light& light_;
   std::span<const ConvexBlocker> blockers_;
   const ReceiverPlane& plane_;

@@ -106,7 +106,7 @@ class WedgeTracer {
   bool collect_obstacles(Pencil& pencil, const Wedge& wedge, Cone cone);
   void trace_on(Pencil& pencil, const Wedge& wedge, Cone cone, std::uint32_t receiver, std::vector<Trace>& traces);
   bool receiver_range(Pencil& pencil, const Wedge& wedge, Cone cone, const Shape& receiver, RayRange& range);
-  void append_blocked(Pencil& pencil, FunctionId plane, const RayRange& range, Cone cone);
+  void append_blocked(Pencil& pencil, const Shape& receiver, FunctionId plane, const RayRange& range, Cone cone);
   FunctionId light_function(Pencil& pencil, const Wedge& wedge);
 
   const EventScene& scene_;

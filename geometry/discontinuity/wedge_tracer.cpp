@@ -212,8 +212,10 @@ bool WedgeTracer::receiver_range(Pencil& pencil, const Wedge& wedge, Cone cone, 
 }
 
 /// The lines that are blocked before they come to the receiver.
-void WedgeTracer::append_blocked(Pencil& pencil, FunctionId plane, const RayRange& range, Cone cone) {
+void WedgeTracer::append_blocked(Pencil& pencil, const Shape& receiver, FunctionId plane, const RayRange& range,
+                                 Cone cone) {
   for (const Obstacle& obstacle : obstacles_) {
+    if (EventScene::is_own(receiver, obstacle.shape)) continue;
     RayRange common = range;
     if (!intersect(pencil, common, obstacle.range)) continue;
     bool before = false, behind = false;
@@ -268,7 +270,7 @@ void WedgeTracer::trace_on(Pencil& pencil, const Wedge& wedge, Cone cone, std::u
   if (left.empty()) return;
   const FunctionId plane = pencil.add_plane(receiver.plane, side);
   blocked_.clear();
-  append_blocked(pencil, plane, range, cone);
+  append_blocked(pencil, receiver, plane, range, cone);
   subtract(pencil, blocked_, left);
   if (left.empty()) return;
   const auto& values = pencil.exact_function(plane);

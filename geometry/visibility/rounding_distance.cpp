@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/bodies/polygon_checks.h"
 #include "geometry/numbers/exact_vector.h"
 #include "geometry/visibility/sightline.h"
 
@@ -12,6 +13,13 @@ namespace {
 
 /// What rounding may have moved a coordinate by, in units of the larger of the sizes involved.
 constexpr double rounding = 8 * unit;
+
+/// Of corners that were rounded off their plane, that of three which lie far apart.
+ExactPlane plane_of(std::span<const Point3> corners) {
+  const std::array<std::uint32_t, 3> k =
+      corners.size() == 3 ? std::array<std::uint32_t, 3>{0, 1, 2} : polygon_plane(corners)->vertices;
+  return plane_through(exact(corners[k[0]]), exact(corners[k[1]]), exact(corners[k[2]]));
+}
 
 /// By how much each coordinate may be off.
 Vector doubt(std::span<const Point3> corners, const Point3& p) {
@@ -42,13 +50,25 @@ Rational reach(const ExactVector& normal, const Vector& off) {
          magnitude(normal.z) * Rational(off.z);
 }
 
+/// What lies beyond a side, in the polygon's plane.
+struct Outside {
+  ExactVector corner;
+  ExactVector outward;
+
+  Outside(std::span<const Point3> corners, std::size_t side) : corner(exact(corners[side])) {
+    const ExactPlane plane = plane_of(corners);
+    outward = cross(exact(corners[side + 1 == corners.size() ? 0 : side + 1]) - corner, plane.normal);
+  }
+  Rational beyond(const Point3& p) const { return dot(outward, exact(p) - corner); }
+};
+
 }  // namespace
 
 Nearness nearness(std::span<const Point3> corners, const Point3& p) {
   const Vector off = doubt(corners, p);
   if (!may_be_near(corners, p, off)) return Nearness::apart;
   const ExactVector at = exact(p);
-  const ExactPlane plane = plane_through(exact(corners[0]), exact(corners[1]), exact(corners[2]));
+  const ExactPlane plane = plane_of(corners);
   if (magnitude(plane.height(at)) > reach(plane.normal, off)) return Nearness::apart;
   Nearness result = Nearness::inside;
   for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -62,8 +82,19 @@ Nearness nearness(std::span<const Point3> corners, const Point3& p) {
   return result;
 }
 
+bool is_near_side(std::span<const Point3> corners, std::size_t side, const Point3& p) {
+  const Outside outside(corners, side);
+  return magnitude(outside.beyond(p)) <= reach(outside.outward, doubt(corners, p));
+}
+
+bool reaches_beyond(std::span<const Point3> corners, std::size_t side, std::span<const Point3> points) {
+  const Outside outside(corners, side);
+  return std::any_of(points.begin(), points.end(),
+                     [&](const Point3& p) { return outside.beyond(p) > reach(outside.outward, doubt(corners, p)); });
+}
+
 bool faces_alike(std::span<const Point3> corners, const Point3& normal, bool one_sided) {
-  const ExactVector a = plane_through(exact(corners[0]), exact(corners[1]), exact(corners[2])).normal;
+  const ExactVector a = plane_of(corners).normal;
   const ExactVector b = exact(normal);
   const Rational product = dot(a, b);
   if (one_sided && product <= 0) return false;

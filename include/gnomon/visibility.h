@@ -145,7 +145,9 @@ Visibility light_visibility(const Light& light, const Obstacles& obstacles, cons
 /// Definition: a point is within rounding of a facet if it would meet the facet after each of its coordinates is moved
 ///             by at most 8 u of the larger of its own size and that of the facet's corners. It rests on the facet if
 ///             it is so but not within rounding of the facet's sides, and the planes of receiver and facet, of a solid
-///             its outer side, make an angle of at most 60 degrees.
+///             its outer side, make an angle of at most 60 degrees. Sides beyond
+///             which another such facet goes on, coplanar with it but for rounding, do not count. A thin solid between
+///             vertices that were rounded off their plane is one facet with two sides.
 /// Exactness:  rational arithmetic where doubles do not decide. A point that lies exactly on a facet rests on it too.
 ReceiverPoint resting_point(const PreparedObstacles& obstacles, const Point3& p, const Point3& normal);
 

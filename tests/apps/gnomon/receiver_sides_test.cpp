@@ -306,5 +306,52 @@ TEST_F(ReceiverSides, AConvexMeshIsOneSolidOfAFewFiles) {
   EXPECT_THAT(doubts[0], HasSubstr("it is a convex solid but for dents"));
 }
 
+/// Turned by angles that leave no coordinate short, and rounded.
+std::string turned(const std::vector<std::array<double, 2>>& ring, double by) {
+  const double a = std::cos(by), b = std::sin(by), c = std::cos(by / 3), d = std::sin(by / 3);
+  std::ostringstream text;
+  text << std::setprecision(17) << '[';
+  for (const auto& [u, v] : ring) {
+    const double x = a * u - b * v, y = b * u + a * v;
+    text << (text.tellp() > 1 ? ",[" : "[") << x << ',' << c * y << ',' << d * y << ']';
+  }
+  return text.str() + ']';
+}
+
+TEST_F(ReceiverSides, APlateWhoseVerticesWereRoundedDoesNotHideTheLightFromItself) {
+  const std::vector<std::array<double, 2>> square = {{0, 0}, {2, 0}, {2, 1}, {0, 1}},
+                                           l = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}},
+                                           hole = {{.5, .25}, {.5, .75}, {1.5, .75}, {1.5, .25}};
+  for (int k = 1; k <= 12; ++k) {
+    const double by = 0.25 * k + 0.01;
+    const std::string plates[] = {
+        R"("shape": "polygon", "vertices": )" + turned(square, by),
+        R"("shape": "concave_polygon", "vertices": )" + turned(l, by),
+        R"("shape": "polygon", "vertices": )" + turned(square, by) + R"(, "holes": [)" + turned(hole, by) + "]"};
+    for (const std::string& plate : plates) {
+      write("plate.scene.json", R"({"gnomon": 1, "dimension": 3, "lights": [
+        {"name": "bulb", "shape": "point", "position": [0, 0, 9]}], "blockers": [{"name": "plate", )" +
+                                    plate + R"(}], "receivers": [{"name": "plate", "two_sided": true, )" + plate +
+                                    "}]}");
+      const Outcome divided = gnomon("receivers plate.scene.json");
+      ASSERT_EQ(divided.code, 0) << divided.err;
+      EXPECT_THAT(divided.out, HasSubstr("lit 100.00 %")) << k << plate;
+      EXPECT_THAT(divided.out, HasSubstr("unlit 100.00 %")) << k << plate;
+      const Outcome on = gnomon("irradiance plate.scene.json --on plate --out on.csv");
+      ASSERT_EQ(on.code, 0) << on.err;
+      const Outcome at = gnomon("regions plate.scene.json --at on.csv");
+      std::istringstream rows(at.out);
+      int lit = 0, unlit = 0;
+      for (std::string row; std::getline(rows, row);) {
+        EXPECT_THAT(row, Not(HasSubstr("umbra"))) << k << plate;
+        lit += row.find(",lit,") != std::string::npos ? 1 : 0;
+        unlit += row.find(",unlit,") != std::string::npos ? 1 : 0;
+      }
+      EXPECT_GT(lit, 0) << plate;
+      EXPECT_EQ(lit, unlit) << plate;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace gnomon
