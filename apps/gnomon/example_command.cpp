@@ -119,7 +119,9 @@ void copy_example(const fs::path& source, const fs::path& target) {
 }
 
 void copy_examples(const std::vector<std::string>& files, const fs::path& from, const fs::path& to) {
-  fs::create_directories(to);
+  std::error_code error;
+  fs::create_directories(to, error);
+  if (error) throw std::runtime_error("cannot create the folder " + to.string() + ": " + error.message());
   const auto place = [&](const std::string& file) { return to / fs::path(file).filename(); };
   for (const std::string& file : files) copy_example(from / file, place(file));
   for (const std::string& file : files) std::cout << "written    " << shell_word(place(file).string()) << '\n';

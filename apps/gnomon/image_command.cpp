@@ -115,6 +115,7 @@ ExitCode image_command(Arguments arguments) {
   image::ImageOptions what{shading_mode(options.shading), point_count(options.lights), options.samples,
                            options.threads};
   double exposure = exposure_of(options.exposure);
+  if (exposure != 0 && !options.out.ends_with(".png")) throw UsageError("--exposure goes with --out FILE.png");
   const SpaceScene scene = scene_with_camera(options.scene);
   const auto start = std::chrono::steady_clock::now();
   const image::ShadedImage picture = painted(scene, what, options.quiet);

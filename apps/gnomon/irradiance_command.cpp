@@ -52,7 +52,8 @@ void add_options(CommandLine& app, IrradianceOptions& options) {
       "With --on: the number of points along a facet's first side and at right angles to it. They are the middles\n"
       "of equal cells of the smallest such rectangle; those beside the facet are left out. Without it one point,\n"
       "the mean of the corners");
-  add_text(app, "--lift", options.lift, "H", "Move every point by this length along its normal first");
+  add_text(app, "--lift", options.lift, "H",
+           "Move every point by this length along its normal first; rows repeat the point as it was");
   add_text(app, "--eye", options.eye, "x,y,z|camera",
            "Also tell the radiance that each point reflects to an eye here, or to that of the scene's camera");
   add_text(app, "--material", options.material, "NAME",

@@ -72,6 +72,7 @@ void check_usage(const ShadowOptions& options) {
     throw UsageError("nothing to write: give a folder with --out, or a file with --json");
   }
   require_result_places(options.out, options.json, {options.scene, options.path});
+  if (options.out.empty() && options.format != "vtm") throw UsageError("--format goes with --out DIR");
   if (options.path.empty()) return;
   if (options.out.empty()) throw UsageError("--path writes a series into a folder: give one with --out");
   if (!options.json.empty()) throw UsageError("--json tells one result, --path makes many; leave one of them out");

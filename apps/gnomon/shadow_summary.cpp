@@ -23,7 +23,7 @@ std::string extent_text(const VolumeFacts& facts) {
 /// How the umbra of a solid lies about it.
 std::string pockets_text(const ShadowResult& result, std::size_t pair, std::string_view volume) {
   if (result.pairs.empty() || !result.pairs[pair].is_solid || volume != "umbra") return {};
-  return ", " + counted(result.pairs[pair].volumes.umbra_pockets, "pocket") + " outside the solid";
+  return ", " + counted(result.pairs[pair].volumes.umbra_pockets, "pocket") + " outside";
 }
 
 std::string planes_text(const ExtremalPlanes& planes) {

@@ -280,6 +280,10 @@ PolygonSoup off_soup(std::string_view text, const MeshSource& source) {
     soup.facets.push_back(off_facet(lines, vertices));
     soup.lines.push_back(lines.line());
   }
+  if (lines.next()) {
+    soup.doubts.push_back("more than the " + std::to_string(facets) + " facets that the head announces, from line " +
+                          std::to_string(lines.line()) + " on, which is not read");
+  }
   soup.doubts.push_back(lines.doubt());
   return soup;
 }

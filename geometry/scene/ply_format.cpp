@@ -131,7 +131,14 @@ class Numbers {
     return encoding_ == Encoding::ascii ? std::optional(lines_.line()) : std::nullopt;
   }
 
-  void add_doubts(std::vector<std::string>& doubts) const {
+  void add_doubts(std::vector<std::string>& doubts) {
+    if (encoding_ != Encoding::ascii && !bytes_.empty()) {
+      doubts.push_back(std::to_string(bytes_.size()) + " bytes after the last element that the head announces");
+    }
+    if (encoding_ == Encoding::ascii && (word_ < lines_.words().size() || lines_.next())) {
+      doubts.push_back("more than the elements that the head announces, from line " + std::to_string(lines_.line()) +
+                       " on, which is not read");
+    }
     if (!all_finite_) doubts.emplace_back("numbers that are not finite in properties that are not used");
     if (encoding_ == Encoding::ascii) doubts.push_back(lines_.doubt());
   }
@@ -246,9 +253,21 @@ void read_element(const Element& element, Numbers& numbers, const MeshSource& so
 
 }  // namespace
 
+/// Without faces there may be strips of triangles, which are no part of the format's first description.
+void require_faces(const Head& head, const MeshSource& source) {
+  const auto is_called = [](std::string_view name) {
+    return [name](const Element& element) { return element.name == name && element.count > 0; };
+  };
+  if (std::ranges::any_of(head.elements, is_called("face")) ||
+      std::ranges::none_of(head.elements, is_called("tristrips")))
+    return;
+  source.refuse("the head", "strips of triangles, and no faces", "an element \"face\" with the list vertex_indices");
+}
+
 PolygonSoup ply_soup(std::string_view text, const MeshSource& source) {
   MeshLines lines(text, source);
   const Head head = read_head(lines);
+  require_faces(head, source);
   Numbers numbers(lines, head.encoding, source);
   PolygonSoup soup;
   for (const Element& element : head.elements) read_element(element, numbers, source, soup);

@@ -62,12 +62,16 @@ std::string deviation_text(double deviation, const SpaceScene& scene) {
          scene.length_unit;
 }
 
-void doubt_flatness(const SceneElement& element, const PolygonPlane& plane, SpaceScene& scene) {
+enum class TakenAs { one_polygon, pieces };
+
+void doubt_flatness(const SceneElement& element, const PolygonPlane& plane, TakenAs taken, SpaceScene& scene) {
   const std::string text = element.title + deviation_text(plane.deviation, scene);
   if (plane.flatness == Flatness::rounded) {
-    const bool is_receiver = element.title.starts_with("receiver ");
+    const bool is_receiver = element.title.starts_with("receiver ") && taken == TakenAs::one_polygon;
+    const bool is_light = element.title.starts_with("light ");
     scene.doubts.push_back(text + ", within the limit of 1e-9 of its diameter, and count as rounded" +
-                           (is_receiver ? "; it is divided as if they lay in that plane" : ""));
+                           (is_receiver ? "; it is divided as if they lay in that plane" : "") +
+                           (is_light ? "; receivers are not divided by it, write it as triangles for that" : ""));
   } else if (plane.flatness == Flatness::bent) {
     scene.doubts.push_back(text + "; it is bent, and taken as triangles, " + element.name + "#0 and so on");
   }
@@ -99,7 +103,8 @@ PolygonShape read_polygon(const SceneElement& element, ConcaveRing concave, Spac
   if (concave != ConcaveRing::accepted && nodes.holes.empty() && !ConvexPolygon::defect(nodes.points)) {
     ConvexPolygon polygon = ConvexPolygon::from_points(std::move(nodes.points));
     if (!polygon.is_flat())
-      doubt_flatness(element, {.deviation = polygon.deviation(), .flatness = Flatness::rounded}, scene);
+      doubt_flatness(element, {.deviation = polygon.deviation(), .flatness = Flatness::rounded}, TakenAs::one_polygon,
+                     scene);
     return polygon;
   }
   PolygonExamination polygon = examined_polygon(nodes.points, nodes.boundary, nodes.holes);
@@ -107,7 +112,7 @@ PolygonShape read_polygon(const SceneElement& element, ConcaveRing concave, Spac
   if (polygon.rings.size() == 1 && polygon.rings[0].size() < nodes.boundary.size()) {
     scene.doubts.push_back(element.title + ": its boundary runs along an edge and back, which bounds nothing");
   }
-  doubt_flatness(element, polygon.plane, scene);
+  doubt_flatness(element, polygon.plane, TakenAs::pieces, scene);
   return ConcavePolygon{std::move(nodes.points), std::move(polygon.rings), element.shape};
 }
 

@@ -167,11 +167,11 @@ void doubt_enclosed_lights(const SpaceScene& scene, std::vector<std::string>& do
     for (const SceneBlocker& blocker : scene.blockers) {
       const std::string what = filling(blocker, points);
       if (what.empty()) continue;
-      doubts.push_back(element_title("lights", light.name) + ": it reaches into " +
-                       element_title("blockers", blocker.name) + ", " + what +
-                       ": all inside is in the umbra, what of the light is there shines nowhere, and receivers are not "
-                       "divided by a light in a closed mesh; leave out a facet, or write walls as polygons, for a room "
-                       "with air in it");
+      doubts.push_back(
+          element_title("lights", light.name) + ": it reaches into " + element_title("blockers", blocker.name) + ", " +
+          what +
+          ": all inside is in the umbra, and what of the light is there shines nowhere; leave out a facet, or "
+          "write walls as polygons, for a room with air in it");
     }
   }
 }

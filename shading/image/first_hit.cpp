@@ -144,9 +144,12 @@ class FirstHit::Work {
     RayParameter parameter;
   };
 
-  static bool is_before(const Found& a, const Found& b) {
+  /// At one place a light comes first: it lies on what it is flush with.
+  bool is_before(const Found& a, const Found& b) const {
     const int sign = a.parameter.compared_to(b.parameter);
     if (sign != 0) return sign < 0;
+    const bool is_light = facets_[a.name.facet].light != nullptr, other_is = facets_[b.name.facet].light != nullptr;
+    if (is_light != other_is) return is_light;
     return std::pair(a.name.facet, a.name.number) < std::pair(b.name.facet, b.name.number);
   }
 

@@ -129,11 +129,11 @@ Point3 middle_of_box(const std::vector<Point3>& points) {
 PictureView placed_view(const PictureScene& scene, const CameraPlace& place) {
   const Point3 focus = place.focus ? *place.focus : middle_of_box(visible_points(scene));
   const Point3 toward = place.position - focus;
-  if (length(toward) == 0) throw PreconditionError("picture: the camera is where it looks");
+  if (length(toward) == 0) throw PreconditionError("the camera is where it looks");
   Point3 up = place.up.value_or(scene.up);
   const auto along_view = [&] { return length(cross(unit(up), unit(toward))) < 1e-6; };
   if (along_view() && !place.up) up = -1 * front_of(up);
-  if (along_view()) throw PreconditionError("picture: the camera's up direction is along its view");
+  if (along_view()) throw PreconditionError("the camera's up direction is along its view");
   return {place.position, focus, up};
 }
 

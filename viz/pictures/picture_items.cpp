@@ -269,8 +269,12 @@ void add_light(Items& items, const PictureScene& scene, const PictureBlock& ligh
   const std::string mark = light_mark(scene, name);
   const Look look{palette.light, 1, 0.9};
   if (light.data->GetNumberOfPolys() > 0) {
-    items.push_back({name, light.data, look, "light", mark});
-    items.push_back({"", edges_of(light.data, Edges::all), {palette.edge, 1, 1, 1.5}, "light", mark});
+    // One that is flush with a ceiling or a wall is seen from its front.
+    const std::vector<Point3> points = points_of(*light.data);
+    const PaintedSide side{std::vector<Point3>(points.size(), polygon_plane(points).normal)};
+    const auto data = lifted(*light.data, side, 4e-4 * scene.size);
+    items.push_back({name, data, look, "light", mark});
+    items.push_back({"", edges_of(data, Edges::all), {palette.edge, 1, 1, 1.5}, "light", mark});
   } else if (light.data->GetNumberOfLines() > 0) {
     items.push_back({name, rod(light.data, 0.006 * scene.size), look, "light", mark});
   } else {

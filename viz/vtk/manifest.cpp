@@ -155,7 +155,9 @@ Json parsed(const std::filesystem::path& file) {
   if (!in) throw ResultError(start + "the file cannot be opened");
   try {
     Json json = Json::parse(in);
-    if (json.at("schema") != schema) throw ResultError(start + "its schema is not " + schema);
+    if (!json.is_object() || json.value("schema", Json()) != schema) {
+      throw ResultError(start + "no list of files of a result: its \"schema\" is not " + schema);
+    }
     return json;
   } catch (const Json::exception& error) {
     throw ResultError(start + error.what());

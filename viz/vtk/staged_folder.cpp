@@ -81,7 +81,7 @@ fs::path fresh_folder(const fs::path& directory) {
     fs::path folder = directory / (std::string(prefix) + std::to_string(::getpid()) + "-" + std::to_string(number));
     std::error_code error;
     if (fs::create_directory(folder, error)) return folder;
-    if (error) fail("cannot create the folder", folder, error);
+    if (error) fail("cannot write in the folder", directory, error);
   }
 }
 

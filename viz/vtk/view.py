@@ -333,7 +333,7 @@ def show_space(result):
     set_camera(result.view, result.up)
     result.show(result.part("sun " + str(light), suns), "light")  # an arrow beside the scene, which frames nothing
     if divided:
-        return [name for _, name in REGIONS]
+        return [name for _, name in REGIONS if name != "unresolved_eee"]
     return [name for name, source in (("umbra", umbrae), ("penumbra", penumbrae)) if source is not None]
 
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <iomanip>
 #include <sstream>
 
@@ -351,6 +352,19 @@ TEST_F(ReceiverSides, APlateWhoseVerticesWereRoundedDoesNotHideTheLightFromItsel
       EXPECT_EQ(lit, unlit) << plate;
     }
   }
+}
+
+TEST_F(ReceiverSides, ALampFlushWithItsCeilingIsSeenInFrontOfIt) {
+  write("ceiling.scene.json", R"({"gnomon": 1, "dimension": 3,
+    "camera": {"eye": [2.5, -3, 1], "look_at": [1.5, 1.5, 3], "width": 3, "height": 3, "fov": 2},
+    "lights": [{"name": "panel", "shape": "polygon", "vertices": [[1,1,3], [1,2,3], [2,2,3], [2,1,3]]}],
+    "blockers": [{"name": "ceiling", "shape": "polygon", "vertices": [[0,0,3], [0,4,3], [5,4,3], [5,0,3]]}]})");
+  ASSERT_EQ(gnomon("image ceiling.scene.json --out ceiling.pfm --json ceiling.json").code, 0);
+  const std::string pixels = read("ceiling.pfm");
+  float radiance = 0;
+  ASSERT_GE(pixels.size(), 9 * 3 * sizeof radiance);
+  std::memcpy(&radiance, pixels.data() + pixels.size() - 5 * 3 * sizeof radiance, sizeof radiance);
+  EXPECT_EQ(radiance, 1.0F);
 }
 
 }  // namespace

@@ -349,5 +349,16 @@ RC_GTEST_FIXTURE_PROP(MeshFile, NeverCrashesOnDamagedFiles, ()) {
   RC_ASSERT(!refusal(name, damaged).empty());
 }
 
+TEST_F(MeshFile, DoubtsWhatComesAfterAllThatTheHeadAnnounces) {
+  EXPECT_THAT(scene("a.off", off).doubts, IsEmpty());
+  EXPECT_THAT(scene("a.off", off + "3 0 1 2\n").doubts,
+              ElementsAre(AllOf(HasSubstr("more than the 4 facets"), HasSubstr("line 11"))));
+  EXPECT_THAT(scene("a.ply", ply).doubts, IsEmpty());
+  EXPECT_THAT(scene("a.ply", ply + "9 3 0 1 2\n").doubts,
+              ElementsAre(AllOf(HasSubstr("more than the elements"), HasSubstr("line 21"))));
+  EXPECT_THAT(scene("a.ply", binary_ply(std::endian::big) + "tail").doubts,
+              ElementsAre(HasSubstr("4 bytes after the last element")));
+}
+
 }  // namespace
 }  // namespace gnomon
