@@ -5,7 +5,7 @@ _gnomon() {
   local before=${COMP_WORDS[COMP_CWORD - 1]} words
   COMPREPLY=()
   if [ "$COMP_CWORD" -eq 1 ]; then
-    words=$("$program" --help 2>/dev/null | sed -n '/^Commands.*:$/,/^$/s/^  \([a-z][a-z]*\) .*/\1/p')
+    words=$("$program" --help 2>/dev/null | sed -n '/^Commands.*:$/,/^$/s/^  \([a-z][a-z-]*\) .*/\1/p')
     mapfile -t COMPREPLY < <(compgen -W "$words --help --version" -- "$word")
   elif [ "${word:0:1}" = - ]; then
     words=$("$program" "$command" --help 2>/dev/null | sed -n 's/^  \(-h,\)\{0,1\}\(--[a-z-]*\).*/\2/p')

@@ -26,7 +26,7 @@ endfunction()
 
 help_of(main)
 string(REGEX MATCH "Commands:\n(  [^\n]*\n)+" list "${main}")
-string(REGEX MATCHALL "\n  [a-z]+" commands "${list}")
+string(REGEX MATCHALL "\n  [a-z-]+" commands "${list}")
 
 cmake_path(GET PROGRAM FILENAME name)
 string(TOUPPER ${name} heading)

@@ -54,6 +54,9 @@ ExitCode discontinuities_command(Arguments arguments);
 /// `gnomon receivers`: regions and discontinuity mesh on every receiver.
 ExitCode receivers_command(Arguments arguments);
 
+/// `gnomon view-factors`: the share of what one surface sends out that reaches another, behind all blockers.
+ExitCode view_factors_command(Arguments arguments);
+
 /// `gnomon render`: a picture of a scene or of a folder written by `gnomon shadow`.
 ExitCode render_command(Arguments arguments);
 

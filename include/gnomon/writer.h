@@ -137,6 +137,20 @@ struct GridRadiance {
   std::vector<double> error_bound;
 };
 
+/// A surface and what its view factors add up to.
+struct SurfaceRow {
+  std::string name;
+  const std::vector<ConvexPolygon>* shape = nullptr;
+  double sum = 0;
+  double sum_bound = 0;
+};
+
+/// Writes surfaces as `view_factors.vtp` into a folder, with the cell arrays surface_id, row_sum, residual (1 less
+/// that) and row_sum_bound; the field array surface_names has their names.
+///
+/// Throws: std::runtime_error naming the file that could not be written, and why.
+void write_view_surfaces(std::span<const SurfaceRow> rows, const Scene& scene, const std::filesystem::path& directory);
+
 /// Writes a grid with the point arrays region, visible_fraction and error_bound of every light as VTK image data
 /// (.vti); where they are known with irradiance and irradiance_error_bound of every light, and with radiance and
 /// radiance_error_bound; written beside the file and renamed.

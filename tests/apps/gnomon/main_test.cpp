@@ -50,8 +50,10 @@ TEST_F(Program, NamesAnUnknownCommandAndTheNearestKnownOne) {
   EXPECT_THAT(run.out, IsEmpty());
   EXPECT_THAT(
       run.err,
-      AllOf(HasSubstr("'shaddow'"), HasSubstr("nearest is 'shadow'"),
-            HasSubstr("shadow, check, regions, grid, irradiance, radiance, discontinuities, receivers, render")));
+      AllOf(
+          HasSubstr("'shaddow'"), HasSubstr("nearest is 'shadow'"),
+          HasSubstr(
+              "shadow, check, regions, grid, irradiance, radiance, discontinuities, receivers, view-factors, render")));
 }
 
 TEST_F(Program, RefusesAnOptionInPlaceOfACommand) {

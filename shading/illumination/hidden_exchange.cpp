@@ -1,0 +1,221 @@
+#include "shading/illumination/hidden_exchange.h"
+
+#include <algorithm>
+#include <array>
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "shading/vector.h"
+
+namespace gnomon::illumination {
+namespace {
+
+using shading::Bounded;
+using shading::Vector;
+
+/// Nodes and weights on [0, 1].
+struct Rule {
+  std::vector<double> node;
+  std::vector<double> weight;
+};
+
+template <unsigned n>
+Rule made_rule() {
+  using Gauss = boost::math::quadrature::gauss<double, n>;
+  Rule rule;
+  for (std::size_t k = 0; k < Gauss::abscissa().size(); ++k) {
+    const double x = Gauss::abscissa()[k], w = Gauss::weights()[k] / 2;
+    for (const double side : {-1.0, 1.0}) {
+      if (x == 0 && side > 0) continue;
+      rule.node.push_back(0.5 + side * x / 2);
+      rule.weight.push_back(w);
+    }
+  }
+  return rule;
+}
+
+/// Each a good deal better than the one before.
+const std::array<Rule, 4>& rules() {
+  static const std::array<Rule, 4> made = {made_rule<4>(), made_rule<7>(), made_rule<10>(), made_rule<15>()};
+  return made;
+}
+
+using Triangle = std::array<Point3, 3>;
+
+double area_of(const Triangle& t) {
+  const Vector c = cross(step(t[0], t[1]), step(t[0], t[2]));
+  return shading::length(c) / 2;
+}
+
+/// The integral of irradiance over triangles of a receiver.
+class TriangleIntegral {
+ public:
+  TriangleIntegral(const ConvexPolygon& receiver, LightIrradiance& irradiance, const HiddenEffort& effort)
+      : front_(facet_front(receiver)), irradiance_(irradiance), effort_(effort) {
+    const auto& [a, b, c] = front_.corners;
+    const Vector n = cross(step(a, b), step(a, c));
+    normal_ = {n.x, n.y, n.z};
+  }
+
+  /// The triangles together may be off by the tolerance, each by its share of the area.
+  void add(const std::vector<Triangle>& triangles) {
+    double area = 0;
+    for (const Triangle& t : triangles) area += area_of(t);
+    if (area == 0) return;
+    tolerance_per_area_ = effort_.tolerance * std::numbers::pi / area;
+    for (const Triangle& t : triangles) add(t, triangles.size());
+  }
+
+  /// Divided by pi.
+  Bounded value() const { return Bounded(sum_, error_ + 1e-15 * std::fabs(sum_)) / shading::pi(Bounded()); }
+  std::size_t evaluations() const { return evaluations_; }
+
+ private:
+  /// Halves what no rule does, nearest to its largest error first: worst cases are beside contacts and long arcs.
+  void add(const Triangle& whole, std::size_t of) {
+    std::vector<Triangle> waiting = {whole};
+    const std::size_t most = evaluations_ + std::max<std::size_t>(effort_.most_evaluations / of, 400);
+    while (!waiting.empty()) {
+      const Triangle t = waiting.back();
+      waiting.pop_back();
+      const double tolerance = tolerance_per_area_ * area_of(t);
+      const Result result = integral(t, tolerance);
+      if (result.off <= tolerance || evaluations_ >= most) {
+        sum_ += result.value;
+        error_ += result.off + result.bound;
+        continue;
+      }
+      const auto [first, second] = halves(t);
+      waiting.push_back(second);
+      waiting.push_back(first);
+    }
+  }
+
+  struct Result {
+    double value = 0;
+    double off = HUGE_VAL;  ///< estimated error of the rule
+    double bound = 0;       ///< sum of the errors at its nodes
+  };
+
+  Result integral(const Triangle& t, double tolerance) {
+    Result last;
+    for (const Rule& rule : rules()) {
+      Result next = by_rule(t, rule);
+      if (&rule != &rules().front()) next.off = std::fabs(next.value - last.value);
+      last = next;
+      if (last.off <= tolerance) break;
+    }
+    return last;
+  }
+
+  /// In coordinates that shrink to a point at the first corner (Duffy).
+  Result by_rule(const Triangle& t, const Rule& rule) {
+    const double doubled = 2 * area_of(t);
+    Result result;
+    for (std::size_t i = 0; i < rule.node.size(); ++i) {
+      for (std::size_t j = 0; j < rule.node.size(); ++j) {
+        const double r = rule.node[i], q = rule.node[j];
+        const double b = r * (1 - q), c = r * q;
+        const auto at = [&](double Point3::*x) { return t[0].*x + b * (t[1].*x - t[0].*x) + c * (t[2].*x - t[0].*x); };
+        const Point3 p{at(&Point3::x), at(&Point3::y), at(&Point3::z)};
+        const Irradiance e = irradiance_.received({p, front_, {}}, normal_);
+        const double share = rule.weight[i] * rule.weight[j] * r * doubled;
+        result.value += share * e.value;
+        result.bound += share * e.error_bound;
+      }
+    }
+    evaluations_ += rule.node.size() * rule.node.size();
+    return result;
+  }
+
+  /// Of the longest side, the corner across it first in both.
+  static std::array<Triangle, 2> halves(const Triangle& t) {
+    std::size_t longest = 0;
+    const auto squared = [&](std::size_t k) {
+      const Vector side = step(t[k], t[(k + 1) % 3]);
+      return dot(side, side);
+    };
+    for (std::size_t k = 1; k < 3; ++k) longest = squared(k) > squared(longest) ? k : longest;
+    const Point3 &a = t[longest], &b = t[(longest + 1) % 3], &across = t[(longest + 2) % 3];
+    const Point3 middle{(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2};
+    return {Triangle{across, a, middle}, Triangle{across, middle, b}};
+  }
+
+  FacetFront front_;
+  Point3 normal_;
+  LightIrradiance& irradiance_;
+  HiddenEffort effort_;
+  double tolerance_per_area_ = 0;
+  double sum_ = 0;
+  double error_ = 0;
+  std::size_t evaluations_ = 0;
+};
+
+bool has_arcs(const ReceiverMesh& mesh, const RegionPolygon& region) {
+  for (const auto& cycle : region.cycles) {
+    for (const MeshEdgeUse use : cycle) {
+      if (mesh.edges()[use / 2].arc != MeshEdge::nowhere) return true;
+    }
+  }
+  return false;
+}
+
+Loops loops_of(const ReceiverMesh& mesh, const RegionPolygon& region, const std::vector<Point3>& vertices) {
+  Loops loops;
+  for (const auto& cycle : region.cycles) {
+    loops.emplace_back();
+    for (const MeshEdgeUse use : cycle) {
+      const MeshEdge& edge = mesh.edges()[use / 2];
+      loops.back().push_back(vertices[use % 2 == 0 ? edge.source : edge.target]);
+    }
+  }
+  return loops;
+}
+
+/// At most what an exchange area changes by when each vertex is rounded: the area passed over, as a factor is at
+/// most 1.
+double rounding_of(const Loops& loops) {
+  double sum = 0;
+  for (const auto& loop : loops) {
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const Point3 &p = loop[k], &q = loop[(k + 1) % loop.size()];
+      sum += sum_norm(step(p, q)) * 0x1p-51 * (std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z));
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+Exchange hidden_exchange(const ReceiverMesh& mesh, const ConvexPolygon& receiver, const Loops& light,
+                         LightIrradiance& irradiance, const HiddenEffort& effort) {
+  Exchange result;
+  const std::vector<Point3> vertices = mesh.vertices();
+  std::vector<bool> is_done(mesh.faces().size(), false);
+  for (const RegionPolygon& region : mesh.regions()) {
+    if (region.region != ReceiverRegion::lit || has_arcs(mesh, region)) continue;
+    for (const std::uint32_t face : region.faces) is_done[face] = true;
+    const Loops loops = loops_of(mesh, region, vertices);
+    result.area = result.area + widened(exchange_area(loops, light), rounding_of(loops));
+  }
+  const MeshDrawing drawing = mesh.drawing();
+  std::vector<Triangle> triangles;
+  for (const ReceiverTriangle& t : drawing.triangles) {
+    const ReceiverRegion region = mesh.faces()[t.face].region;
+    const bool is_dark = region == ReceiverRegion::umbra || region == ReceiverRegion::unlit;
+    if (is_done[t.face] || (is_dark && !t.is_at_arc)) continue;
+    const auto& [a, b, c] = t.vertices;
+    triangles.push_back({drawing.points[a], drawing.points[b], drawing.points[c]});
+  }
+  if (triangles.empty()) return result;
+  TriangleIntegral integral(receiver, irradiance, effort);
+  integral.add(triangles);
+  result.area = result.area + integral.value();
+  result.is_proven = false;
+  result.evaluations = integral.evaluations();
+  return result;
+}
+
+}  // namespace gnomon::illumination

@@ -1,0 +1,224 @@
+#include "gnomon/view_factors.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+
+#include "gnomon/errors.h"
+#include "tests/shading/illumination/factor_oracles.h"
+
+namespace gnomon {
+namespace {
+
+using factors::parallelogram;
+using factors::rectangle_at;
+
+ViewFactors all_of(const std::vector<ViewSurface>& surfaces, const std::vector<ConvexBlocker>& blockers = {},
+                   double bound = 1e-9) {
+  ViewFactorEffort effort;
+  effort.bound = bound;
+  return view_factors(surfaces, {blockers, {}}, effort);
+}
+
+ViewFactor factor(const ViewFactors& found, std::uint32_t from, std::uint32_t to) {
+  for (const ViewFactor& f : found.factors) {
+    if (f.from == from && f.to == to) return f;
+  }
+  return {from, to, 0, 0, true};
+}
+
+void expect_row_sums_of_one(const ViewFactors& found, double most) {
+  std::vector<double> sums(found.areas.size()), bounds(sums.size());
+  for (const ViewFactor& f : found.factors) {
+    sums[f.from] += f.value;
+    bounds[f.from] += f.error_bound;
+  }
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    EXPECT_LE(std::fabs(sums[i] - 1), bounds[i] + 1e-15) << i;
+    EXPECT_LE(std::fabs(sums[i] - 1), most) << i;
+  }
+}
+
+const ViewSurface unit_floor = {rectangle_at(0, 0, 1, 1, 0, factors::Facing::up)};
+const ViewSurface unit_lid = {rectangle_at(0, 0, 1, 1, 1, factors::Facing::down)};
+
+TEST(ViewFactors, OfSquaresThatSeeEachOtherWhollyAreProvenToFourteenDigits) {
+  const ViewFactor apart = factor(all_of({unit_floor, unit_lid}), 0, 1);
+  EXPECT_TRUE(apart.is_proven);
+  EXPECT_NEAR(apart.value, 0.19982489569838746, apart.error_bound + 1e-16);
+  EXPECT_LT(apart.error_bound, 1e-13);
+  // Joined along an edge, turned so that no coordinate is short.
+  const double c = std::cos(0.7), s = std::sin(0.7);
+  const auto turned = [&](double x, double y, double z) { return Point3{c * x - s * y, s * x + c * y, z}; };
+  const Point3 o = turned(0, 0, 0), x = turned(1, 0, 0), y = turned(0, 1, 0), z = turned(0, 0, 1);
+  const ViewFactor joined = factor(all_of({{parallelogram(o, x, y)}, {parallelogram(o, y, z)}}), 0, 1);
+  EXPECT_TRUE(joined.is_proven);
+  EXPECT_NEAR(joined.value, 0.20004377607540313, joined.error_bound + 1e-15);
+  EXPECT_LT(joined.error_bound, 1e-12);
+}
+
+TEST(ViewFactors, OfPolygonsFarApartAreThoseOfADoubleAreaIntegral) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (int trial = 0; trial < 12; ++trial) {
+    // Nearly level, so that neither plane cuts the other.
+    const auto corner = [&](double x, double y, double height) {
+      return Point3{x + 0.4 * number(random), y + 0.4 * number(random), height + 0.2 * number(random)};
+    };
+    const auto triangle = [&](double height) {
+      return ConvexPolygon::from_points({corner(-1, -1, height), corner(1, -1, height), corner(0, 1, height)});
+    };
+    const ConvexPolygon low = triangle(0), high = triangle(4);
+    for (const bool low_up : {true, false}) {
+      const ConvexPolygon p = factors::turned_to(low, 2, low_up), q = factors::turned_to(high, 2, false);
+      const ViewFactors found = all_of({{p}, {q}});
+      const ViewFactor there = factor(found, 0, 1);
+      EXPECT_TRUE(there.is_proven);
+      const double expected = low_up ? factors::double_area_integral(p, q) : 0;
+      EXPECT_NEAR(there.value * found.areas[0], expected, there.error_bound * found.areas[0] + 1e-13) << trial;
+    }
+  }
+}
+
+TEST(ViewFactors, BehindASquareAreThoseOfARuleOnItsExactFaces) {
+  struct Case {
+    double x0, x1, y0, y1, z, known;
+  };
+  // Shapiro's, published; the others by the oracle alone.
+  for (const Case& c : {Case{.25, .75, .25, .75, .25, 0.11562060213242}, Case{.25, .75, .25, .75, .5, 0.09950629459898},
+                        Case{0, .5, 0, .5, .5, 0}, Case{0, 1, .25, .75, .25, 0}, Case{.5, 1.5, -.5, .5, .75, 0}}) {
+    const double expected = factors::behind_rectangle(c.x0, c.x1, c.y0, c.y1, c.z);
+    if (c.known > 0) {
+      EXPECT_NEAR(expected, c.known, 1e-13);
+    }
+    const auto board = rectangle_at(c.x0, c.y0, c.x1, c.y1, c.z, factors::Facing::up);
+    const ViewFactor found = factor(all_of({unit_floor, unit_lid}, {board}, 1e-13), 0, 1);
+    EXPECT_NEAR(found.value, expected, 1e-12) << c.x0;
+    EXPECT_NEAR(found.value, expected, found.error_bound + 1e-15) << c.x0;
+    EXPECT_LT(found.error_bound, 1e-12);
+  }
+}
+
+TEST(ViewFactors, BehindABoardThatHidesAllAreLeftOut) {
+  const auto board = rectangle_at(-1, -1, 2, 2, .5, factors::Facing::up);
+  EXPECT_TRUE(all_of({unit_floor, unit_lid}, {board}).factors.empty());
+  // And surfaces that do not face each other, or lie in one plane.
+  EXPECT_TRUE(all_of({unit_floor, {rectangle_at(0, 0, 1, 1, 1, factors::Facing::up)}}).factors.empty());
+  EXPECT_TRUE(all_of({unit_floor, {rectangle_at(2, 0, 3, 1, 0, factors::Facing::up)}}).factors.empty());
+}
+
+TEST(ViewFactors, CountOnlyWhatLiesBeforeTheOther) {
+  // A wall that reaches below the floor's plane, and stands on a part of the floor's border.
+  const auto wall = [](double low) {
+    return ConvexPolygon::from_points({{0, .25, low}, {0, .75, low}, {0, .75, 1}, {0, .25, 1}});
+  };
+  const ViewFactor whole = factor(all_of({unit_floor, {wall(0)}}), 0, 1);
+  const ViewFactor cut = factor(all_of({unit_floor, {wall(-1)}}), 0, 1);
+  EXPECT_GT(whole.value, 0.1);
+  EXPECT_NEAR(whole.value, cut.value, whole.error_bound + cut.error_bound);
+  EXPECT_LT(whole.error_bound, 1e-12);
+}
+
+TEST(ViewFactors, AddUpOverPiecesOfASurface) {
+  const ViewSurface halves = {rectangle_at(0, 0, .5, 1, 1, factors::Facing::down),
+                              rectangle_at(.5, 0, 1, 1, 1, factors::Facing::down)};
+  const auto board = rectangle_at(.25, .25, .625, .75, .5, factors::Facing::up);
+  const ViewFactor once = factor(all_of({unit_floor, unit_lid}, {board}, 1e-11), 0, 1);
+  const ViewFactor in_two = factor(all_of({unit_floor, halves}, {board}, 1e-11), 0, 1);
+  const ViewFactors apart = all_of({unit_floor, {halves[0]}, {halves[1]}}, {board}, 1e-11);
+  EXPECT_NEAR(once.value, in_two.value, once.error_bound + in_two.error_bound);
+  EXPECT_NEAR(once.value, factor(apart, 0, 1).value + factor(apart, 0, 2).value, 4e-11);
+}
+
+TEST(ViewFactors, OfAClosedRoomAddUpToOne) {
+  std::vector<ViewSurface> room = factors::cube_walls(2);
+  expect_row_sums_of_one(all_of(room), 1e-12);
+  std::vector<ConvexBlocker> box;
+  factors::add_box(room, box, {.375, .375, .25}, {.625, .75, .5});
+  const ViewFactors found = all_of(room, box, 1e-12);
+  expect_row_sums_of_one(found, 1e-12);
+  EXPECT_GT(found.divided_pairs, 20U);
+  for (const ViewFactor& f : found.factors) {
+    EXPECT_NE(f.from, f.to);
+    EXPECT_LE(f.value * found.areas[f.from], std::min(found.areas[f.from], found.areas[f.to]) + 1e-12);
+  }
+}
+
+TEST(ViewFactors, OfARoomInTheShapeOfAnLAddUpToOne) {
+  // Walls are no blockers: those at the inner corner hide what is round it.
+  const auto [walls, corner] = factors::l_shaped_room();
+  expect_row_sums_of_one(all_of(walls, corner, 1e-12), 1e-12);
+}
+
+TEST(ViewFactors, AreReciprocalWhereBothAreWorkedOut) {
+  std::vector<ViewSurface> room = factors::cube_walls(1);
+  std::vector<ConvexBlocker> box;
+  factors::add_box(room, box, {.25, .375, .125}, {.5, .625, .75});
+  ViewFactorEffort effort;
+  effort.bound = 1e-10;
+  effort.twice = true;
+  const ViewFactors found = view_factors(room, {box, {}}, effort);
+  EXPECT_GT(found.reciprocity_residual, 0);
+  EXPECT_LT(found.reciprocity_residual, 1e-10);
+  for (const ViewFactor& f : found.factors) {
+    const ViewFactor back = factor(found, f.to, f.from);
+    const double a = found.areas[f.from], b = found.areas[f.to];
+    EXPECT_NEAR(f.value * a, back.value * b, f.error_bound * a + back.error_bound * b);
+  }
+  effort.from = 3;
+  for (const ViewFactor& f : view_factors(room, {box, {}}, effort).factors) EXPECT_EQ(f.from, 3U);
+}
+
+TEST(ViewFactors, OfLongStripsAreThoseOfCrossedStrings) {
+  // Hottel: of infinite strips, (crossed - uncrossed) / (2 width). The middle of the lower one sees the ends only to
+  // the order of 1 / length².
+  const double length = 4000, hidden_to = .5;
+  const ViewSurface low = {rectangle_at(0, -.5, 1, .5, 0, factors::Facing::up)};
+  const ViewSurface high = {rectangle_at(0, -length, 1, length, 1, factors::Facing::down)};
+  const auto board = rectangle_at(-1, -length, hidden_to, length, .5, factors::Facing::up);
+  const ViewFactor found = factor(all_of({low, high}, {board}, 1e-8), 0, 1);
+  const double corner = std::hypot(hidden_to, .5);
+  // Strings about the board's edge: crossed ones from each end of one to the far end of the other, the rest not.
+  const double crossed = corner + corner + std::sqrt(2.0), uncrossed = 2 * corner + 1;
+  EXPECT_NEAR(found.value, (crossed - uncrossed) / 2, 1e-6);
+}
+
+TEST(ViewFactors, AreTheSameForAnyNumberOfThreads) {
+  std::vector<ViewSurface> room = factors::cube_walls(2);
+  std::vector<ConvexBlocker> box;
+  factors::add_box(room, box, {.375, .375, .25}, {.625, .75, .5});
+  ViewFactorEffort effort;
+  effort.bound = 1e-6;
+  const ViewFactors one = view_factors(room, {box, {}}, effort);
+  effort.threads = 3;
+  const ViewFactors three = view_factors(room, {box, {}}, effort);
+  ASSERT_EQ(one.factors.size(), three.factors.size());
+  for (std::size_t k = 0; k < one.factors.size(); ++k) {
+    EXPECT_EQ(one.factors[k].value, three.factors[k].value);
+    EXPECT_EQ(one.factors[k].error_bound, three.factors[k].error_bound);
+  }
+}
+
+TEST(ViewFactors, CanBeMadeToFulfilClosureAndReciprocity) {
+  ViewFactors found = all_of(factors::cube_walls(2), {}, 1e-6);
+  for (ViewFactor& f : found.factors) {
+    if (f.from < 4) f.value *= 1.01;
+    if (f.to < 4) f.value *= 1.01;
+  }
+  EXPECT_LT(enforce_closure(found), 1e-12);
+  expect_row_sums_of_one(found, 1e-12);
+  for (const ViewFactor& f : found.factors) {
+    EXPECT_NEAR(f.value * found.areas[f.from], factor(found, f.to, f.from).value * found.areas[f.to], 1e-12);
+  }
+}
+
+TEST(ViewFactors, NeedAPositiveBound) {
+  EXPECT_THROW(all_of({unit_floor, unit_lid}, {}, 0), PreconditionError);
+  EXPECT_THROW(all_of({unit_floor, unit_lid}, {}, NAN), PreconditionError);
+}
+
+}  // namespace
+}  // namespace gnomon
