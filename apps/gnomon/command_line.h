@@ -50,12 +50,13 @@ class CommandLine {
 
 /// The options that the commands have in common; each takes those that mean something to it.
 struct CommonOptions {
-  std::string scene;     ///< file name; empty if not given
-  std::string box;       ///< as written, see clip_box; empty if not given
-  std::string light;     ///< empty: every light
-  std::string blocker;   ///< empty: every blocker
-  std::string json;      ///< file name, "-" for stdout, empty for none
-  unsigned threads = 0;  ///< 0: as many as there are processors
+  std::string scene;          ///< file name; empty if not given
+  std::string box;            ///< as written, see clip_box; empty if not given
+  std::string light;          ///< empty: every light
+  std::string blocker;        ///< empty: every blocker
+  std::string json;           ///< file name, "-" for stdout, empty for none
+  std::string linear_search;  ///< as written, see linear_search; empty if not given
+  unsigned threads = 0;       ///< 0: as many as there are processors
   bool quiet = false;
 };
 

@@ -11,6 +11,7 @@
 #include "apps/gnomon/commands.h"
 #include "apps/gnomon/console.h"
 #include "apps/gnomon/element_choice.h"
+#include "apps/gnomon/linear_search_option.h"
 #include "apps/gnomon/output_place.h"
 #include "apps/gnomon/point_batches.h"
 #include "apps/gnomon/region_finder.h"
@@ -50,6 +51,7 @@ void add_options(CommandLine& app, GridOptions& options) {
   add_text(app, "--material", options.material, "NAME",
            "With --eye: what the points are made of, as for gnomon radiance");
   add_text(app, "--light", options.light, "NAME", "Only this light");
+  add_linear_search_option(app, options);
   add_threads_option(app, options);
   add_quiet_option(app, options);
   app.footer(
@@ -72,12 +74,15 @@ class SurfaceOfGrid {
         obstacles_(scene_bodies(scene).obstacles),
         lights_(thread_count(options.threads)) {
     for (std::vector<LightIrradiance>& own : lights_) {
-      for (const SceneLight* light : chosen_) own.emplace_back(light->shape, light->strength, obstacles_);
+      for (const SceneLight* light : chosen_) {
+        own.emplace_back(light->shape, light->strength, obstacles_, linear_search(options));
+      }
     }
     if (options.eye.empty()) return;
     eye_ = eye_named(options.eye, scene);
     const Material& material = chosen_material(options.material, "", scene).material;
-    seen_.emplace(scene, chosen_, material, obstacles_, static_cast<unsigned>(lights_.size()));
+    seen_.emplace(scene, chosen_, material, obstacles_,
+                  Lookers{static_cast<unsigned>(lights_.size()), linear_search(options)});
   }
 
   bool has_eye() const { return seen_.has_value(); }
@@ -185,7 +190,7 @@ ExitCode grid_command(Arguments arguments) {
   require_place("--out", options.out, OutputKind::image);
   const std::array<std::uint32_t, 3> shape = whole_numbers<3>("--shape", options.shape, "nx,ny,nz");
   const Scene scene = scene_file_with_warnings(options.scene);
-  const RegionFinder finder = region_finder(scene, options.light, options.threads);
+  const RegionFinder finder = region_finder(scene, options.light, options.threads, linear_search(options, scene));
   std::optional<SurfaceOfGrid> surface = surface_of_grid(scene, options);
   const Box3 box = clip_box(scene, options.box);
   const PointGrid grid = PointGrid::in_box(shape, box);

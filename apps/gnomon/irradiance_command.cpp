@@ -12,6 +12,7 @@
 #include "apps/gnomon/console.h"
 #include "apps/gnomon/element_choice.h"
 #include "apps/gnomon/irradiance_output.h"
+#include "apps/gnomon/linear_search_option.h"
 #include "apps/gnomon/output_file.h"
 #include "apps/gnomon/output_place.h"
 #include "apps/gnomon/point_batches.h"
@@ -64,6 +65,7 @@ void add_options(CommandLine& app, IrradianceOptions& options) {
                "A row for each point, with two columns for each light: irradiance_NAME,error_bound_NAME");
   add_json_option(app, options);
   add_text(app, "--light", options.light, "NAME", "Only this light");
+  add_linear_search_option(app, options);
   add_threads_option(app, options);
   add_quiet_option(app, options);
   app.footer(
@@ -148,13 +150,15 @@ Question question_of(const IrradianceOptions& options, const SpaceScene& scene, 
   Question question{chosen_lights(scene.lights, options.light), *length_unit_named(scene.length_unit),
                     std::vector<std::vector<LightIrradiance>>(thread_count(options.threads))};
   for (std::vector<LightIrradiance>& own : question.lights) {
-    for (const SceneLight* light : question.chosen) own.emplace_back(light->shape, light->strength, obstacles);
+    for (const SceneLight* light : question.chosen) {
+      own.emplace_back(light->shape, light->strength, obstacles, linear_search(options));
+    }
   }
   if (options.eye.empty()) return question;
   question.eye = eye_named(options.eye, scene);
   question.material = &chosen_material(options.material, options.on, scene);
   question.surface.emplace(scene, question.chosen, question.material->material, obstacles,
-                           static_cast<unsigned>(question.lights.size()));
+                           Lookers{static_cast<unsigned>(question.lights.size()), linear_search(options)});
   return question;
 }
 

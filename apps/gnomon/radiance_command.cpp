@@ -10,6 +10,7 @@
 #include "apps/gnomon/commands.h"
 #include "apps/gnomon/console.h"
 #include "apps/gnomon/element_choice.h"
+#include "apps/gnomon/linear_search_option.h"
 #include "apps/gnomon/output_file.h"
 #include "apps/gnomon/output_place.h"
 #include "apps/gnomon/point_batches.h"
@@ -50,6 +51,7 @@ void add_options(CommandLine& app, RadianceOptions& options) {
   add_text(app, "--out", options.out, "FILE", "Write the CSV to this file (default: to stdout)");
   add_json_option(app, options);
   add_text(app, "--light", options.light, "NAME", "Only this light");
+  add_linear_search_option(app, options);
   add_threads_option(app, options);
   add_quiet_option(app, options);
   app.footer(
@@ -100,7 +102,7 @@ ExitCode write_radiance(const RadianceOptions& options, const SpaceScene& scene,
   const SceneMaterial& material = chosen_material(options.material, options.on, scene);
   const std::vector<const SceneLight*> lights = chosen_lights(scene.lights, options.light);
   const unsigned threads = thread_count(options.threads);
-  SeenSurface surface(scene, lights, material.material, obstacles, threads);
+  SeenSurface surface(scene, lights, material.material, obstacles, {threads, linear_search(options)});
   RadianceOutputs outputs(options, scene, views.header, material, lights);
   Progress progress("point", views.count, progress_visibility(options.quiet, options.out.empty()));
   std::size_t points = 0, malformed_lines = 0;

@@ -10,7 +10,8 @@
 namespace gnomon {
 namespace {
 
-RegionFinder finder_of(const SpaceScene& scene, const std::string& light, unsigned threads) {
+RegionFinder finder_of(const SpaceScene& scene, const std::string& light, unsigned threads,
+                       const LinearSearch& search) {
   const std::vector<const SceneLight*> lights = chosen_lights(scene.lights, light);
   RegionFinder finder;
   finder.threads = threads;
@@ -18,7 +19,7 @@ RegionFinder finder_of(const SpaceScene& scene, const std::string& light, unsign
   const PreparedObstacles obstacles(scene_bodies(scene).obstacles);
   const auto of_workers = std::make_shared<std::vector<std::vector<LightVisibility>>>(threads);
   for (std::vector<LightVisibility>& own : *of_workers) {
-    for (const SceneLight* l : lights) own.emplace_back(l->shape, obstacles);
+    for (const SceneLight* l : lights) own.emplace_back(l->shape, obstacles, search);
   }
   finder.at = [of_workers](std::size_t worker, const std::array<double, 3>& p) {
     std::vector<Visibility> seen;
@@ -44,7 +45,7 @@ Visibility visibility_in_plane(const planar::Sight& sight, const Point2& p) {
   return {seen.region, fraction.value, fraction.error};
 }
 
-RegionFinder finder_of(const PlaneScene& scene, const std::string& light, unsigned threads) {
+RegionFinder finder_of(const PlaneScene& scene, const std::string& light, unsigned threads, const LinearSearch&) {
   const auto sights = std::make_shared<std::vector<planar::Sight>>();
   RegionFinder finder;
   finder.threads = threads;
@@ -62,8 +63,8 @@ RegionFinder finder_of(const PlaneScene& scene, const std::string& light, unsign
 
 }  // namespace
 
-RegionFinder region_finder(const Scene& scene, const std::string& light, unsigned threads) {
-  return std::visit([&](const auto& some) { return finder_of(some, light, thread_count(threads)); }, scene);
+RegionFinder region_finder(const Scene& scene, const std::string& light, unsigned threads, const LinearSearch& search) {
+  return std::visit([&](const auto& some) { return finder_of(some, light, thread_count(threads), search); }, scene);
 }
 
 }  // namespace gnomon

@@ -25,7 +25,7 @@ class SideSeen {
         own_(obstacles.obstacles()),
         eye_(eye_named(seen.eye, scene)),
         surface_(scene, {&light_}, chosen_material(seen.material, side.front().side, scene).material, obstacles,
-                 threads) {
+                 {threads, {}}) {
     for (unsigned t = 0; t < threads; ++t) irradiance_.emplace_back(light_.shape, light_.strength, obstacles);
   }
 

@@ -70,14 +70,14 @@ RadianceRgb ReflectedLights::total() const {
 }
 
 SeenSurface::SeenSurface(const SpaceScene& scene, std::vector<const SceneLight*> lights, const Material& material,
-                         const PreparedObstacles& obstacles, unsigned workers)
+                         const PreparedObstacles& obstacles, const Lookers& lookers)
     : lights_(std::move(lights)),
       material_(material),
       unit_(*length_unit_named(scene.length_unit)),
       ambient_(ambient_radiance(material, scene.ambient_radiance)),
-      reflections_(workers) {
+      reflections_(lookers.count) {
   for (std::vector<LightReflection>& own : reflections_) {
-    for (const SceneLight* light : lights_) own.emplace_back(light->shape, obstacles);
+    for (const SceneLight* light : lights_) own.emplace_back(light->shape, obstacles, lookers.search);
   }
 }
 

@@ -35,12 +35,19 @@ struct ReflectedLights {
   RadianceRgb total() const;
 };
 
+/// How many workers look, and how they find what may hide a linear light.
+struct Lookers {
+  unsigned count = 1;
+  LinearSearch search = {};
+};
+
 /// Points of one material, seen behind all blockers of a scene.
 class SeenSurface {
  public:
-  /// For the workers of for_all with that many threads. The scene, whose lights these are, outlives the surface.
+  /// The lookers are the workers of for_all with that many threads. The scene, whose lights these are, outlives the
+  /// surface.
   SeenSurface(const SpaceScene& scene, std::vector<const SceneLight*> lights, const Material& material,
-              const PreparedObstacles& obstacles, unsigned workers);
+              const PreparedObstacles& obstacles, const Lookers& lookers);
 
   /// Exactness: for the direction to the eye as the difference of the two points rounded to doubles. From the surface's
   ///            own plane nothing is seen, from the point itself too.
