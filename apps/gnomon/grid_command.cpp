@@ -11,6 +11,7 @@
 #include "apps/gnomon/commands.h"
 #include "apps/gnomon/console.h"
 #include "apps/gnomon/element_choice.h"
+#include "apps/gnomon/light_groups.h"
 #include "apps/gnomon/linear_search_option.h"
 #include "apps/gnomon/output_place.h"
 #include "apps/gnomon/point_batches.h"
@@ -69,7 +70,8 @@ class SurfaceOfGrid {
  public:
   SurfaceOfGrid(const SpaceScene& scene, const GridOptions& options)
       : normal_(normal_of(options.normal)),
-        chosen_(chosen_lights(scene.lights, options.light)),
+        groups_(chosen_groups(scene, options.light)),
+        chosen_(parts_of(groups_)),
         unit_(*length_unit_named(scene.length_unit)),
         obstacles_(scene_bodies(scene).obstacles),
         lights_(thread_count(options.threads)) {
@@ -81,7 +83,7 @@ class SurfaceOfGrid {
     if (options.eye.empty()) return;
     eye_ = eye_named(options.eye, scene);
     const Material& material = chosen_material(options.material, "", scene).material;
-    seen_.emplace(scene, chosen_, material, obstacles_,
+    seen_.emplace(scene, groups_, material, obstacles_,
                   Lookers{static_cast<unsigned>(lights_.size()), linear_search(options)});
   }
 
@@ -92,10 +94,14 @@ class SurfaceOfGrid {
   void tell(std::size_t i, const Point3& p, std::size_t worker, std::vector<GridValues>& values,
             GridRadiance& radiance) {
     const ReceiverPoint receiver = resting_point(obstacles_, p, normal_);
+    std::vector<Irradiance> of_parts;
     for (std::size_t l = 0; l < chosen_.size(); ++l) {
-      const Irradiance e = per_square_metre(lights_[worker][l].received(receiver, normal_), chosen_[l]->shape, unit_);
-      values[l].irradiance[i] = e.value;
-      values[l].irradiance_error_bound[i] = e.error_bound;
+      of_parts.push_back(per_square_metre(lights_[worker][l].received(receiver, normal_), chosen_[l]->shape, unit_));
+    }
+    const std::vector<Irradiance> received = irradiance_of_groups(groups_, of_parts);
+    for (std::size_t l = 0; l < received.size(); ++l) {
+      values[l].irradiance[i] = received[l].value;
+      values[l].irradiance_error_bound[i] = received[l].error_bound;
     }
     if (!seen_) return;
     const RadianceRgb total = seen_->at(worker, receiver, normal_, eye_).total();
@@ -117,7 +123,8 @@ class SurfaceOfGrid {
   }
 
   Point3 normal_;
-  std::vector<const SceneLight*> chosen_;
+  std::vector<LightGroup> groups_;
+  std::vector<const SceneLight*> chosen_;  ///< all parts
   LengthUnit unit_;
   PreparedObstacles obstacles_;
   std::vector<std::vector<LightIrradiance>> lights_;  ///< of every worker

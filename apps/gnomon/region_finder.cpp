@@ -3,7 +3,9 @@
 #include <memory>
 
 #include "apps/gnomon/element_choice.h"
+#include "apps/gnomon/light_groups.h"
 #include "geometry/parallel.h"
+#include "gnomon/light_parts.h"
 #include "gnomon/scene.h"
 #include "gnomon/visibility.h"
 
@@ -12,25 +14,25 @@ namespace {
 
 RegionFinder finder_of(const SpaceScene& scene, const std::string& light, unsigned threads,
                        const LinearSearch& search) {
-  const std::vector<const SceneLight*> lights = chosen_lights(scene.lights, light);
+  const std::vector<LightGroup> groups = chosen_groups(scene, light);
   RegionFinder finder;
   finder.threads = threads;
-  for (const SceneLight* l : lights) finder.lights.push_back(l->name);
+  finder.lights = names_of(groups);
   const PreparedObstacles obstacles(scene_bodies(scene).obstacles);
-  const auto of_workers = std::make_shared<std::vector<std::vector<LightVisibility>>>(threads);
-  for (std::vector<LightVisibility>& own : *of_workers) {
-    for (const SceneLight* l : lights) own.emplace_back(l->shape, obstacles, search);
+  const auto of_workers = std::make_shared<std::vector<std::vector<PartsVisibility>>>(threads);
+  for (std::vector<PartsVisibility>& own : *of_workers) {
+    for (const LightGroup& group : groups) own.emplace_back(shapes_of(group), obstacles, search);
   }
   finder.at = [of_workers](std::size_t worker, const std::array<double, 3>& p) {
     std::vector<Visibility> seen;
-    for (LightVisibility& light_seen : (*of_workers)[worker]) seen.push_back(light_seen.at({p[0], p[1], p[2]}));
+    for (PartsVisibility& light_seen : (*of_workers)[worker]) seen.push_back(light_seen.at({p[0], p[1], p[2]}));
     return seen;
   };
   finder.received = [of_workers, obstacles](std::size_t worker, const std::array<double, 3>& p,
                                             const std::array<double, 3>& n) {
     const ReceiverPoint receiver = resting_point(obstacles, {p[0], p[1], p[2]}, {n[0], n[1], n[2]});
     std::vector<Visibility> seen;
-    for (LightVisibility& light_seen : (*of_workers)[worker]) seen.push_back(light_seen.received(receiver));
+    for (PartsVisibility& light_seen : (*of_workers)[worker]) seen.push_back(light_seen.received(receiver));
     return seen;
   };
   finder.is_within_rounding = [obstacles](const std::array<double, 3>& p) {
