@@ -31,6 +31,8 @@ class CommandLine {
   void add_text(const std::string& name, std::string& text, const std::string& type, const std::string& help,
                 bool is_required);
   void add_flag(const std::string& name, bool& flag, const std::string& help);
+  /// One that may be followed by '=' and a text; without it the text is "true".
+  void add_flag(const std::string& name, std::string& text, const std::string& help);
   void add_number(const std::string& name, std::uint32_t& number, const std::string& type, std::uint32_t least,
                   std::uint32_t most, const std::string& help);
   void add_number(const std::string& name, std::uint64_t& number, const std::string& type, const std::string& help);
