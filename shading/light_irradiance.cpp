@@ -125,11 +125,11 @@ Irradiance scaled(const Irradiance& e, double strength) {
 
 class LightIrradiance::Work {
  public:
-  Work(Light light, double strength, PreparedObstacles obstacles)
+  Work(Light light, double strength, PreparedObstacles obstacles, const LinearSearch& search)
       : light_(std::move(light)),
         strength_(strength),
         obstacles_(std::move(obstacles)),
-        fast_(fast_level(light_, obstacles_.content().blockers)) {}
+        fast_(fast_level(light_, obstacles_, search)) {}
 
   Irradiance answer(const ReceiverPoint& receiver, const Point3& normal) {
     const std::optional<Irradiance> fast = fast_answer(receiver, normal);
@@ -171,8 +171,8 @@ Irradiance LightIrradiance::Work::exact_answer(const ReceiverPoint& receiver, co
   return positive(sum);
 }
 
-LightIrradiance::LightIrradiance(Light light, double strength, PreparedObstacles obstacles)
-    : work_(std::make_unique<Work>(std::move(light), strength, std::move(obstacles))) {}
+LightIrradiance::LightIrradiance(Light light, double strength, PreparedObstacles obstacles, const LinearSearch& search)
+    : work_(std::make_unique<Work>(std::move(light), strength, std::move(obstacles), search)) {}
 LightIrradiance::LightIrradiance(LightIrradiance&&) noexcept = default;
 LightIrradiance& LightIrradiance::operator=(LightIrradiance&&) noexcept = default;
 LightIrradiance::~LightIrradiance() = default;

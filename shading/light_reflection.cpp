@@ -71,10 +71,8 @@ struct Reflected {
 
 class LightReflection::Work {
  public:
-  Work(Light light, PreparedObstacles obstacles)
-      : light_(std::move(light)),
-        obstacles_(std::move(obstacles)),
-        fast_(fast_level(light_, obstacles_.content().blockers)) {}
+  Work(Light light, PreparedObstacles obstacles, const LinearSearch& search)
+      : light_(std::move(light)), obstacles_(std::move(obstacles)), fast_(fast_level(light_, obstacles_, search)) {}
 
   std::size_t answers = 0, exact_answers = 0;
 
@@ -109,8 +107,8 @@ bool eye_is_above(const View& view) {
   return is_eye_above(sight_of(view, ReflectionModel::phong, 0));
 }
 
-LightReflection::LightReflection(Light light, PreparedObstacles obstacles)
-    : work_(std::make_unique<Work>(std::move(light), std::move(obstacles))) {}
+LightReflection::LightReflection(Light light, PreparedObstacles obstacles, const LinearSearch& search)
+    : work_(std::make_unique<Work>(std::move(light), std::move(obstacles), search)) {}
 LightReflection::LightReflection(LightReflection&&) noexcept = default;
 LightReflection& LightReflection::operator=(LightReflection&&) noexcept = default;
 LightReflection::~LightReflection() = default;

@@ -99,6 +99,10 @@ void CommandLine::add_flag(const std::string& name, bool& flag, const std::strin
   app_->add_flag(name, flag, one_line(help));
 }
 
+void CommandLine::add_flag(const std::string& name, std::string& text, const std::string& help) {
+  app_->add_flag(name, text, one_line(help));
+}
+
 void CommandLine::add_number(const std::string& name, std::uint32_t& number, const std::string& type,
                              std::uint32_t least, std::uint32_t most, const std::string& help) {
   const std::string range = std::to_string(least) + " to " + std::to_string(most);

@@ -31,6 +31,8 @@ class CommandLine {
   void add_text(const std::string& name, std::string& text, const std::string& type, const std::string& help,
                 bool is_required);
   void add_flag(const std::string& name, bool& flag, const std::string& help);
+  /// One that may be followed by '=' and a text; without it the text is "true".
+  void add_flag(const std::string& name, std::string& text, const std::string& help);
   void add_number(const std::string& name, std::uint32_t& number, const std::string& type, std::uint32_t least,
                   std::uint32_t most, const std::string& help);
   void add_number(const std::string& name, std::uint64_t& number, const std::string& type, const std::string& help);
@@ -50,12 +52,13 @@ class CommandLine {
 
 /// The options that the commands have in common; each takes those that mean something to it.
 struct CommonOptions {
-  std::string scene;     ///< file name; empty if not given
-  std::string box;       ///< as written, see clip_box; empty if not given
-  std::string light;     ///< empty: every light
-  std::string blocker;   ///< empty: every blocker
-  std::string json;      ///< file name, "-" for stdout, empty for none
-  unsigned threads = 0;  ///< 0: as many as there are processors
+  std::string scene;          ///< file name; empty if not given
+  std::string box;            ///< as written, see clip_box; empty if not given
+  std::string light;          ///< empty: every light
+  std::string blocker;        ///< empty: every blocker
+  std::string json;           ///< file name, "-" for stdout, empty for none
+  std::string linear_search;  ///< as written, see linear_search; empty if not given
+  unsigned threads = 0;       ///< 0: as many as there are processors
   bool quiet = false;
 };
 

@@ -11,6 +11,8 @@
 #include "apps/gnomon/commands.h"
 #include "apps/gnomon/console.h"
 #include "apps/gnomon/element_choice.h"
+#include "apps/gnomon/light_groups.h"
+#include "apps/gnomon/linear_search_option.h"
 #include "apps/gnomon/output_place.h"
 #include "apps/gnomon/point_batches.h"
 #include "apps/gnomon/region_finder.h"
@@ -50,6 +52,7 @@ void add_options(CommandLine& app, GridOptions& options) {
   add_text(app, "--material", options.material, "NAME",
            "With --eye: what the points are made of, as for gnomon radiance");
   add_text(app, "--light", options.light, "NAME", "Only this light");
+  add_linear_search_option(app, options);
   add_threads_option(app, options);
   add_quiet_option(app, options);
   app.footer(
@@ -77,17 +80,21 @@ class SurfaceOfGrid {
  public:
   SurfaceOfGrid(const SpaceScene& scene, const GridOptions& options)
       : normal_(normal_of(options.normal)),
-        chosen_(chosen_lights(scene.lights, options.light)),
+        groups_(chosen_groups(scene, options.light)),
+        chosen_(parts_of(groups_)),
         unit_(*length_unit_named(scene.length_unit)),
         obstacles_(scene_bodies(scene).obstacles),
         lights_(thread_count(options.threads)) {
     for (std::vector<LightIrradiance>& own : lights_) {
-      for (const SceneLight* light : chosen_) own.emplace_back(light->shape, light->strength, obstacles_);
+      for (const SceneLight* light : chosen_) {
+        own.emplace_back(light->shape, light->strength, obstacles_, linear_search(options));
+      }
     }
     if (options.eye.empty()) return;
     eye_ = eye_named(options.eye, scene);
     const Material& material = chosen_material(options.material, "", scene).material;
-    seen_.emplace(scene, chosen_, material, obstacles_, static_cast<unsigned>(lights_.size()));
+    seen_.emplace(scene, groups_, material, obstacles_,
+                  Lookers{static_cast<unsigned>(lights_.size()), linear_search(options)});
   }
 
   bool has_eye() const { return seen_.has_value(); }
@@ -97,10 +104,14 @@ class SurfaceOfGrid {
   void tell(std::size_t i, const Point3& p, std::size_t worker, std::vector<GridValues>& values,
             GridRadiance& radiance) {
     const ReceiverPoint receiver = resting_point(obstacles_, p, normal_);
+    std::vector<Irradiance> of_parts;
     for (std::size_t l = 0; l < chosen_.size(); ++l) {
-      const Irradiance e = per_square_metre(lights_[worker][l].received(receiver, normal_), chosen_[l]->shape, unit_);
-      values[l].irradiance[i] = e.value;
-      values[l].irradiance_error_bound[i] = e.error_bound;
+      of_parts.push_back(per_square_metre(lights_[worker][l].received(receiver, normal_), chosen_[l]->shape, unit_));
+    }
+    const std::vector<Irradiance> received = irradiance_of_groups(groups_, of_parts);
+    for (std::size_t l = 0; l < received.size(); ++l) {
+      values[l].irradiance[i] = received[l].value;
+      values[l].irradiance_error_bound[i] = received[l].error_bound;
     }
     if (!seen_) return;
     const RadianceRgb total = seen_->at(worker, receiver, normal_, eye_).total();
@@ -122,7 +133,8 @@ class SurfaceOfGrid {
   }
 
   Point3 normal_;
-  std::vector<const SceneLight*> chosen_;
+  std::vector<LightGroup> groups_;
+  std::vector<const SceneLight*> chosen_;  ///< all parts
   LengthUnit unit_;
   PreparedObstacles obstacles_;
   std::vector<std::vector<LightIrradiance>> lights_;  ///< of every worker
@@ -196,7 +208,7 @@ ExitCode grid_command(Arguments arguments) {
   require_unread("--out", options.out, {options.scene});
   const Scene scene = scene_file_with_warnings(options.scene);
   const std::array<std::uint32_t, 3> shape = grid_shape(options.shape, dimension(scene));
-  const RegionFinder finder = region_finder(scene, options.light, options.threads);
+  const RegionFinder finder = region_finder(scene, options.light, options.threads, linear_search(options, scene));
   std::optional<SurfaceOfGrid> surface = surface_of_grid(scene, options);
   const Box3 box = clip_box(scene, options.box);
   const PointGrid grid = PointGrid::in_box(shape, box);

@@ -13,6 +13,7 @@
 #include "apps/gnomon/commands.h"
 #include "apps/gnomon/console.h"
 #include "apps/gnomon/image_output.h"
+#include "apps/gnomon/linear_search_option.h"
 #include "apps/gnomon/output_place.h"
 #include "apps/gnomon/scene_input.h"
 #include "apps/gnomon/text.h"
@@ -43,6 +44,7 @@ void add_options(CommandLine& app, PaintOptions& options) {
   add_text(app, "--exposure", options.exposure, "X",
            "What radiance is multiplied by in a PNG (default: so that one of a hundred pixels is brighter than 0.8)");
   add_json_option(app, options);
+  add_linear_search_option(app, options);
   add_threads_option(app, options);
   add_quiet_option(app, options);
   app.footer(
@@ -112,8 +114,8 @@ ExitCode image_command(Arguments arguments) {
   require_place("--out", options.out, OutputKind::picture);
   require_place("--json", options.json, OutputKind::json);
   require_unread("--json", options.json, {options.scene});
-  image::ImageOptions what{shading_mode(options.shading), point_count(options.lights), options.samples,
-                           options.threads};
+  image::ImageOptions what{shading_mode(options.shading), point_count(options.lights), options.samples, options.threads,
+                           linear_search(options)};
   double exposure = exposure_of(options.exposure);
   if (exposure != 0 && !options.out.ends_with(".png")) throw UsageError("--exposure goes with --out FILE.png");
   const SpaceScene scene = scene_with_camera(options.scene);

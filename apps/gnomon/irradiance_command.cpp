@@ -12,6 +12,8 @@
 #include "apps/gnomon/console.h"
 #include "apps/gnomon/element_choice.h"
 #include "apps/gnomon/irradiance_output.h"
+#include "apps/gnomon/light_groups.h"
+#include "apps/gnomon/linear_search_option.h"
 #include "apps/gnomon/output_file.h"
 #include "apps/gnomon/output_place.h"
 #include "apps/gnomon/point_batches.h"
@@ -64,6 +66,7 @@ void add_options(CommandLine& app, IrradianceOptions& options) {
                "A row for each point, with two columns for each light: irradiance_NAME,error_bound_NAME");
   add_json_option(app, options);
   add_text(app, "--light", options.light, "NAME", "Only this light");
+  add_linear_search_option(app, options);
   add_threads_option(app, options);
   add_quiet_option(app, options);
   app.footer(
@@ -85,7 +88,8 @@ void add_options(CommandLine& app, IrradianceOptions& options) {
 
 /// What is asked of every point.
 struct Question {
-  std::vector<const SceneLight*> chosen;
+  std::vector<LightGroup> groups;
+  std::vector<const SceneLight*> chosen;  ///< all their parts
   LengthUnit unit;
   std::vector<std::vector<LightIrradiance>> lights;  ///< of each worker, for it keeps memory for the next question
   std::array<double, 3> eye{};
@@ -99,10 +103,12 @@ void light_up(LitRow& lit, const RowSource& receivers, Question& question, std::
   const ReceiverPoint receiver = receivers.receiver_of(*row);
   const auto& [x, y, z] = row->normal;
   std::vector<LightIrradiance>& local = question.lights[worker];
+  std::vector<Irradiance> of_parts;
   for (std::size_t l = 0; l < local.size(); ++l) {
     const Irradiance e = local[l].received(receiver, {x, y, z});
-    lit.received.push_back(per_square_metre(e, question.chosen[l]->shape, question.unit));
+    of_parts.push_back(per_square_metre(e, question.chosen[l]->shape, question.unit));
   }
+  lit.received = irradiance_of_groups(question.groups, of_parts);
   if (!question.surface) return;
   lit.reflected = question.surface->at(worker, receiver, {x, y, z}, question.eye);
   lit.eye = question.eye;
@@ -145,24 +151,27 @@ struct IrradianceOutputs {
 };
 
 Question question_of(const IrradianceOptions& options, const SpaceScene& scene, const PreparedObstacles& obstacles) {
-  Question question{chosen_lights(scene.lights, options.light), *length_unit_named(scene.length_unit),
+  std::vector<LightGroup> groups = chosen_groups(scene, options.light);
+  std::vector<const SceneLight*> chosen = parts_of(groups);
+  Question question{std::move(groups), std::move(chosen), *length_unit_named(scene.length_unit),
                     std::vector<std::vector<LightIrradiance>>(thread_count(options.threads))};
   for (std::vector<LightIrradiance>& own : question.lights) {
-    for (const SceneLight* light : question.chosen) own.emplace_back(light->shape, light->strength, obstacles);
+    for (const SceneLight* light : question.chosen) {
+      own.emplace_back(light->shape, light->strength, obstacles, linear_search(options));
+    }
   }
   if (options.eye.empty()) return question;
   question.eye = eye_named(options.eye, scene);
   question.material = &chosen_material(options.material, options.on, scene);
-  question.surface.emplace(scene, question.chosen, question.material->material, obstacles,
-                           static_cast<unsigned>(question.lights.size()));
+  question.surface.emplace(scene, question.groups, question.material->material, obstacles,
+                           Lookers{static_cast<unsigned>(question.lights.size()), linear_search(options)});
   return question;
 }
 
 ExitCode write_irradiance(const IrradianceOptions& options, const SpaceScene& scene, const PreparedObstacles& obstacles,
                           const RowSource& receivers) {
   Question question = question_of(options, scene, obstacles);
-  std::vector<std::string> names;
-  for (const SceneLight* light : question.chosen) names.push_back(light->name);
+  const std::vector<std::string> names = names_of(question.groups);
   IrradianceOutputs outputs(options, scene, receivers.header, names, question);
   if (names.empty()) print_warning("the scene has no light");
   Progress progress("point", receivers.count, progress_visibility(options.quiet, options.out.empty()));

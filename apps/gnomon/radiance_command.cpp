@@ -10,6 +10,8 @@
 #include "apps/gnomon/commands.h"
 #include "apps/gnomon/console.h"
 #include "apps/gnomon/element_choice.h"
+#include "apps/gnomon/light_groups.h"
+#include "apps/gnomon/linear_search_option.h"
 #include "apps/gnomon/output_file.h"
 #include "apps/gnomon/output_place.h"
 #include "apps/gnomon/point_batches.h"
@@ -50,6 +52,7 @@ void add_options(CommandLine& app, RadianceOptions& options) {
   add_text(app, "--out", options.out, "FILE", "Write the CSV to this file (default: to stdout)");
   add_json_option(app, options);
   add_text(app, "--light", options.light, "NAME", "Only this light");
+  add_linear_search_option(app, options);
   add_threads_option(app, options);
   add_quiet_option(app, options);
   app.footer(
@@ -72,10 +75,9 @@ struct RadianceOutputs {
   std::optional<RadianceJson> json;
 
   RadianceOutputs(const RadianceOptions& options, const SpaceScene& scene, const std::string& header,
-                  const SceneMaterial& material, const std::vector<const SceneLight*>& lights) {
-    std::vector<std::string> names;
-    for (const SceneLight* light : lights) names.push_back(light->name);
-    const bool coloured = is_coloured(scene, material.material, lights);
+                  const SceneMaterial& material, const std::vector<LightGroup>& lights) {
+    const std::vector<std::string> names = names_of(lights);
+    const bool coloured = is_coloured(scene, material.material, parts_of(lights));
     if (!options.out.empty()) csv_file.emplace(options.out);
     if (csv_file || options.json != "-") {
       csv.emplace(csv_file ? csv_file->stream() : std::cout, header, names, coloured);
@@ -98,9 +100,9 @@ struct RadianceOutputs {
 ExitCode write_radiance(const RadianceOptions& options, const SpaceScene& scene, const PreparedObstacles& obstacles,
                         const RowSource& views) {
   const SceneMaterial& material = chosen_material(options.material, options.on, scene);
-  const std::vector<const SceneLight*> lights = chosen_lights(scene.lights, options.light);
+  const std::vector<LightGroup> lights = chosen_groups(scene, options.light);
   const unsigned threads = thread_count(options.threads);
-  SeenSurface surface(scene, lights, material.material, obstacles, threads);
+  SeenSurface surface(scene, lights, material.material, obstacles, {threads, linear_search(options)});
   RadianceOutputs outputs(options, scene, views.header, material, lights);
   Progress progress("point", views.count, progress_visibility(options.quiet, options.out.empty()));
   std::size_t points = 0, malformed_lines = 0;

@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "apps/gnomon/light_groups.h"
 #include "geometry/scene/receiver_facets.h"
 #include "shading/light_flux.h"
 
@@ -55,10 +56,22 @@ RecognisedElement recognised(const SceneLight& light) {
 
 std::vector<RecognisedElement> recognised_lights(const SpaceScene& scene) {
   std::vector<RecognisedElement> list;
-  for (const SceneLight& light : scene.lights) {
-    list.push_back(recognised(light));
-    list.back().name = light.name;
-    list.back().flux = light_flux(light.shape, light.strength, *length_unit_named(scene.length_unit));
+  for (const LightGroup& group : chosen_groups(scene, "")) {
+    const SceneLight& first = *group.parts.front();
+    list.push_back(recognised(first));
+    RecognisedElement& element = list.back();
+    element.name = group.name;
+    if (first.is_part()) {
+      element.shape = first.form;
+      element.vertices.reset();
+      element.facets = group.parts.size();
+    }
+    std::optional<double> flux = 0;
+    for (const SceneLight* part : group.parts) {
+      const auto own = light_flux(part->shape, part->strength, *length_unit_named(scene.length_unit));
+      flux = own && flux ? std::optional(*flux + *own) : std::nullopt;
+    }
+    element.flux = flux;
   }
   return list;
 }

@@ -3,33 +3,36 @@
 #include <memory>
 
 #include "apps/gnomon/element_choice.h"
+#include "apps/gnomon/light_groups.h"
 #include "geometry/parallel.h"
+#include "gnomon/light_parts.h"
 #include "gnomon/scene.h"
 #include "gnomon/visibility.h"
 
 namespace gnomon {
 namespace {
 
-RegionFinder finder_of(const SpaceScene& scene, const std::string& light, unsigned threads) {
-  const std::vector<const SceneLight*> lights = chosen_lights(scene.lights, light);
+RegionFinder finder_of(const SpaceScene& scene, const std::string& light, unsigned threads,
+                       const LinearSearch& search) {
+  const std::vector<LightGroup> groups = chosen_groups(scene, light);
   RegionFinder finder;
   finder.threads = threads;
-  for (const SceneLight* l : lights) finder.lights.push_back(l->name);
+  finder.lights = names_of(groups);
   const PreparedObstacles obstacles(scene_bodies(scene).obstacles);
-  const auto of_workers = std::make_shared<std::vector<std::vector<LightVisibility>>>(threads);
-  for (std::vector<LightVisibility>& own : *of_workers) {
-    for (const SceneLight* l : lights) own.emplace_back(l->shape, obstacles);
+  const auto of_workers = std::make_shared<std::vector<std::vector<PartsVisibility>>>(threads);
+  for (std::vector<PartsVisibility>& own : *of_workers) {
+    for (const LightGroup& group : groups) own.emplace_back(shapes_of(group), obstacles, search);
   }
   finder.at = [of_workers](std::size_t worker, const std::array<double, 3>& p) {
     std::vector<Visibility> seen;
-    for (LightVisibility& light_seen : (*of_workers)[worker]) seen.push_back(light_seen.at({p[0], p[1], p[2]}));
+    for (PartsVisibility& light_seen : (*of_workers)[worker]) seen.push_back(light_seen.at({p[0], p[1], p[2]}));
     return seen;
   };
   finder.received = [of_workers, obstacles](std::size_t worker, const std::array<double, 3>& p,
                                             const std::array<double, 3>& n) {
     const ReceiverPoint receiver = resting_point(obstacles, {p[0], p[1], p[2]}, {n[0], n[1], n[2]});
     std::vector<Visibility> seen;
-    for (LightVisibility& light_seen : (*of_workers)[worker]) seen.push_back(light_seen.received(receiver));
+    for (PartsVisibility& light_seen : (*of_workers)[worker]) seen.push_back(light_seen.received(receiver));
     return seen;
   };
   finder.is_within_rounding = [obstacles](const std::array<double, 3>& p) {
@@ -44,7 +47,7 @@ Visibility visibility_in_plane(const planar::Sight& sight, const Point2& p) {
   return {seen.region, fraction.value, fraction.error};
 }
 
-RegionFinder finder_of(const PlaneScene& scene, const std::string& light, unsigned threads) {
+RegionFinder finder_of(const PlaneScene& scene, const std::string& light, unsigned threads, const LinearSearch&) {
   const auto sights = std::make_shared<std::vector<planar::Sight>>();
   RegionFinder finder;
   finder.threads = threads;
@@ -62,8 +65,8 @@ RegionFinder finder_of(const PlaneScene& scene, const std::string& light, unsign
 
 }  // namespace
 
-RegionFinder region_finder(const Scene& scene, const std::string& light, unsigned threads) {
-  return std::visit([&](const auto& some) { return finder_of(some, light, thread_count(threads)); }, scene);
+RegionFinder region_finder(const Scene& scene, const std::string& light, unsigned threads, const LinearSearch& search) {
+  return std::visit([&](const auto& some) { return finder_of(some, light, thread_count(threads), search); }, scene);
 }
 
 }  // namespace gnomon

@@ -26,10 +26,11 @@ struct RegionFinder {
 };
 
 /// The finder of a scene, for all lights or, if a name is given, for that one; for that many threads, 0: one per
-/// processor.
+/// processor. `search` is how occluders of linear lights are found in space.
 ///
 /// Requires: the scene outlives the result.
 /// Throws:   UsageError for a name that the scene does not have.
-RegionFinder region_finder(const Scene& scene, const std::string& light, unsigned threads);
+RegionFinder region_finder(const Scene& scene, const std::string& light, unsigned threads,
+                           const LinearSearch& search = {});
 
 }  // namespace gnomon

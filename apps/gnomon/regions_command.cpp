@@ -7,6 +7,7 @@
 #include "apps/gnomon/command_line.h"
 #include "apps/gnomon/commands.h"
 #include "apps/gnomon/console.h"
+#include "apps/gnomon/linear_search_option.h"
 #include "apps/gnomon/output_file.h"
 #include "apps/gnomon/output_place.h"
 #include "apps/gnomon/point_batches.h"
@@ -36,6 +37,7 @@ void add_options(CommandLine& app, RegionsOptions& options) {
   add_text(app, "--out", options.out, "FILE", "Write the CSV to this file (default: to stdout)");
   add_json_option(app, options);
   add_text(app, "--light", options.light, "NAME", "Only this light");
+  add_linear_search_option(app, options);
   add_threads_option(app, options);
   add_quiet_option(app, options);
   app.footer(
@@ -110,7 +112,7 @@ struct RegionsOutputs {
 
 ExitCode write_regions(const RegionsOptions& options, const Scene& scene, std::istream& stream,
                        const std::string& file) {
-  const RegionFinder finder = region_finder(scene, options.light, options.threads);
+  const RegionFinder finder = region_finder(scene, options.light, options.threads, linear_search(options, scene));
   PointTable table(stream, file, columns_of(scene));
   RegionsOutputs outputs(options, scene, table, finder.lights);
   RegionCounts counts(finder.lights);

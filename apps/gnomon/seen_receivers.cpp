@@ -24,8 +24,8 @@ class SideSeen {
         unit_(*length_unit_named(scene.length_unit)),
         own_(obstacles.obstacles().blockers),
         eye_(eye_named(seen.eye, scene)),
-        surface_(scene, {&light_}, chosen_material(seen.material, side.front().side, scene).material, obstacles,
-                 threads) {
+        surface_(scene, {{light_.name, {&light_}}}, chosen_material(seen.material, side.front().side, scene).material,
+                 obstacles, {threads, {}}) {
     for (unsigned t = 0; t < threads; ++t) irradiance_.emplace_back(light_.shape, light_.strength, obstacles);
   }
 

@@ -69,15 +69,16 @@ RadianceRgb ReflectedLights::total() const {
   return total_radiance(parts);
 }
 
-SeenSurface::SeenSurface(const SpaceScene& scene, std::vector<const SceneLight*> lights, const Material& material,
-                         const PreparedObstacles& obstacles, unsigned workers)
-    : lights_(std::move(lights)),
+SeenSurface::SeenSurface(const SpaceScene& scene, std::vector<LightGroup> groups, const Material& material,
+                         const PreparedObstacles& obstacles, const Lookers& lookers)
+    : groups_(std::move(groups)),
+      lights_(parts_of(groups_)),
       material_(material),
       unit_(*length_unit_named(scene.length_unit)),
       ambient_(ambient_radiance(material, scene.ambient_radiance)),
-      reflections_(workers) {
+      reflections_(lookers.count) {
   for (std::vector<LightReflection>& own : reflections_) {
-    for (const SceneLight* light : lights_) own.emplace_back(light->shape, obstacles);
+    for (const SceneLight* light : lights_) own.emplace_back(light->shape, obstacles, lookers.search);
   }
 }
 
@@ -86,14 +87,16 @@ ReflectedLights SeenSurface::at(std::size_t worker, const ReceiverPoint& receive
   ReflectedLights seen;
   const Point3& p = receiver.point;
   if (eye == std::array{p.x, p.y, p.z}) {
-    seen.lights.resize(lights_.size());
+    seen.lights.resize(groups_.size());
     return seen;
   }
   const View view{p, normal, halfway(p, eye)};
+  std::vector<RadianceRgb> of_parts;
   for (std::size_t l = 0; l < lights_.size(); ++l) {
     const Reflection r = reflections_[worker][l].received(receiver, view, material_.model, material_.exponent);
-    seen.lights.push_back(reflected_radiance(*lights_[l], r, material_, unit_));
+    of_parts.push_back(reflected_radiance(*lights_[l], r, material_, unit_));
   }
+  seen.lights = radiance_of_groups(groups_, of_parts);
   if (eye_is_above(view)) seen.ambient = ambient_;
   return seen;
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/gnomon/light_groups.h"
 #include "gnomon/reflection.h"
 #include "gnomon/scene.h"
 #include "gnomon/visibility.h"
@@ -29,18 +30,25 @@ bool is_coloured(const SpaceScene& scene, const Material& material, const std::v
 
 /// What a point reflects to an eye of each light, and of what comes from everywhere.
 struct ReflectedLights {
-  std::vector<RadianceRgb> lights;
+  std::vector<RadianceRgb> lights;  ///< of each group
   RadianceRgb ambient;
 
   RadianceRgb total() const;
 };
 
+/// How many workers look, and how they find what may hide a linear light.
+struct Lookers {
+  unsigned count = 1;
+  LinearSearch search = {};
+};
+
 /// Points of one material, seen behind all blockers of a scene.
 class SeenSurface {
  public:
-  /// For the workers of for_all with that many threads. The scene, whose lights these are, outlives the surface.
-  SeenSurface(const SpaceScene& scene, std::vector<const SceneLight*> lights, const Material& material,
-              const PreparedObstacles& obstacles, unsigned workers);
+  /// The lookers are the workers of for_all with that many threads. The scene, whose lights these are, outlives the
+  /// surface.
+  SeenSurface(const SpaceScene& scene, std::vector<LightGroup> groups, const Material& material,
+              const PreparedObstacles& obstacles, const Lookers& lookers);
 
   /// Exactness: for the direction to the eye as the difference of the two points rounded to doubles. From the surface's
   ///            own plane nothing is seen, from the point itself too.
@@ -48,7 +56,8 @@ class SeenSurface {
                      const std::array<double, 3>& eye);
 
  private:
-  std::vector<const SceneLight*> lights_;
+  std::vector<LightGroup> groups_;
+  std::vector<const SceneLight*> lights_;  ///< all parts
   Material material_;
   LengthUnit unit_;
   RadianceRgb ambient_;

@@ -32,7 +32,7 @@ struct ShadowOptions : CommonOptions {
   std::string out;
   std::string format = "vtm";
   std::string path;
-  bool merge = false;
+  std::string merge;  ///< empty if not given; "true" alone, or "all"
 };
 
 void add_options(CommandLine& app, ShadowOptions& options) {
@@ -41,9 +41,9 @@ void add_options(CommandLine& app, ShadowOptions& options) {
   add_json_option(app, options);
   add_pair_options(app, options);
   add_text(app, "--format", options.format, "LIST", "One or more of vtm,vtpc,vtp,obj,stl,gltf (default: vtm)");
-  app.add_flag(
-      "--merge", options.merge,
-      "Also unite the occlusion volumes of each blocker's parts; 100 parts take seconds, time grows with the square");
+  app.add_flag("--merge", options.merge,
+               "Also unite the occlusion volumes of each blocker's parts into one closed surface; '--merge all' those\n"
+               "of all blockers together, a surface for each light. 1,000 parts take about a second");
   add_text(app, "--path", options.path, "FILE",
            "Move the light (--light, where there are several) along a path and write a series that ParaView plays, "
            "DIR/shadow.pvd: CSV with the header x,y,z (x,y in the plane), then a position of the light's first vertex "
@@ -71,13 +71,16 @@ void check_usage(const ShadowOptions& options) {
   if (options.out.empty() && options.json.empty()) {
     throw UsageError("nothing to write: give a folder with --out, or a file with --json");
   }
+  if (!options.merge.empty() && options.merge != "true" && options.merge != "all") {
+    throw UsageError("--merge=" + options.merge + ": expected --merge or --merge all");
+  }
   require_result_places(options.out, options.json, {options.scene, options.path});
   if (options.out.empty() && options.format != "vtm") throw UsageError("--format goes with --out DIR");
   if (options.path.empty()) return;
   if (options.out.empty()) throw UsageError("--path writes a series into a folder: give one with --out");
   if (!options.json.empty()) throw UsageError("--json tells one result, --path makes many; leave one of them out");
   if (options.format != "vtm") throw UsageError("--path writes vtm files; leave --format out");
-  if (options.merge) throw UsageError("--merge does not go with --path");
+  if (!options.merge.empty()) throw UsageError("--merge does not go with --path");
 }
 
 std::string written_text(const std::string& out, const std::vector<fs::path>& files) {
@@ -99,8 +102,36 @@ ExitCode refuse_all(const Scene& scene, const Box3& box, const std::vector<Scene
   return ExitCode::unsupported;
 }
 
+void warn_of_unmerged(Merging merging, const ShadowResult& result, const std::vector<ScenePair>& pairs) {
+  if (merging == Merging::each_blocker) {
+    if (result.merged.empty()) print_warning("--merge: no blocker has several parts, all supported");
+    return;
+  }
+  std::string last;
+  for (const ScenePair& pair : pairs) {
+    const bool is_merged = std::ranges::any_of(
+        result.merged, [&](const MergedResult& merged) { return merged.light_id == pair.light_index; });
+    if (is_merged || pair.light == last) continue;
+    print_warning("--merge all: light '" + pair.light + "' is left out, for some of its pairs are not supported");
+    last = pair.light;
+  }
+}
+
+/// `--merge all` as one word, as the reader of options takes it: what follows a flag could be the scene.
+std::vector<std::string> with_merge_in_one_word(Arguments arguments) {
+  std::vector<std::string> words;
+  for (const std::string& word : arguments) {
+    if (word == "all" && !words.empty() && words.back() == "--merge") {
+      words.back() += "=all";
+    } else {
+      words.push_back(word);
+    }
+  }
+  return words;
+}
+
 ExitCode write_all(const ShadowOptions& options, const std::vector<OutputFormat>& output_formats, const Scene& scene) {
-  if (options.merge && std::holds_alternative<PlaneScene>(scene))
+  if (!options.merge.empty() && std::holds_alternative<PlaneScene>(scene))
     throw UnsupportedError("--merge unites volumes, which need dimension 3");
   const std::vector<ScenePair> pairs = scene_pairs(scene, {options.light, options.blocker});
   const Box3 box = clip_box(scene, options.box);
@@ -108,7 +139,10 @@ ExitCode write_all(const ShadowOptions& options, const std::vector<OutputFormat>
 
   const Effort effort{options.threads, !options.quiet};
   ShadowResult result = computed_shadows(scene, pairs, box, effort);
-  if (options.merge) result.merged = merged_shadows(std::get<SpaceScene>(scene), pairs, box, effort);
+  const Merging merging = options.merge == "all" ? Merging::all_blockers : Merging::each_blocker;
+  if (!options.merge.empty()) {
+    result.merged = merged_shadows(std::get<SpaceScene>(scene), pairs, merging, box, effort);
+  }
   std::vector<fs::path> files;
   if (!options.out.empty()) {
     result.receivers = receivers_beside_volumes(scene, {options.light, {}}, effort);
@@ -117,7 +151,7 @@ ExitCode write_all(const ShadowOptions& options, const std::vector<OutputFormat>
   }
   if (!options.json.empty()) write_json(shadow_json(result, pairs), options.json);
   if (pairs.empty()) print_warning("the scene has no pair of a light and a blocker");
-  if (options.merge && result.merged.empty()) print_warning("--merge: no blocker has several parts, all supported");
+  if (!options.merge.empty()) warn_of_unmerged(merging, result, pairs);
   if (supported_count(pairs) < pairs.size()) print_warning(unsupported_text(pairs));
   if (!options.quiet && options.json != "-") {
     std::cout << shadow_summary(result, pairs) << written_text(options.out, files);
@@ -144,7 +178,8 @@ ExitCode shadow_command(Arguments arguments) {
       "gnomon shadow");
   ShadowOptions options;
   add_options(app, options);
-  if (!app.parse(arguments)) return ExitCode::done;
+  const std::vector<std::string> words = with_merge_in_one_word(arguments);
+  if (!app.parse(words)) return ExitCode::done;
   check_usage(options);
   const std::vector<OutputFormat> output_formats = formats(options.format);
   const Scene scene = options.scene.empty() ? parse_scene(default_scene_text(), "default", ".")

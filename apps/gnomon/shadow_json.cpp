@@ -132,13 +132,14 @@ Json lights_json(const ShadowResult& result) {
   return list;
 }
 
-/// Every blocker of several parts whose occlusion volumes are one.
+/// Every blocker of several parts, or all of them together, whose occlusion volumes are one.
 Json merged_json(const ShadowResult& result) {
   Json list = Json::array();
   for (const MergedResult& merged : result.merged) {
     const VolumeMesh& mesh = merged.occlusion.mesh;
     list.push_back({{"light", merged.light},
                     {"blocker", merged.blocker},
+                    {"parts", merged.part_names.size()},
                     {"facets", mesh.facets.size()},
                     {"triangles", mesh.triangles.size()},
                     {"volume_in_box", mesh.volume.nearest},

@@ -4,6 +4,7 @@
 #include <map>
 #include <string_view>
 
+#include "apps/gnomon/light_groups.h"
 #include "apps/gnomon/shadow_extents.h"
 #include "apps/gnomon/text.h"
 #include "geometry/scene/receiver_facets.h"
@@ -157,10 +158,10 @@ std::string box_text(const Box3& box, int dimension) {
 }
 
 std::string lights_and_blockers(const Scene& scene) {
-  const auto counts = [](const auto& some) {
-    return counted(some.lights.size(), "light") + ", " + counted(some.blockers.size(), "blocker");
-  };
-  return std::visit(counts, scene);
+  const auto* space = std::get_if<SpaceScene>(&scene);
+  const std::size_t lights = space ? chosen_groups(*space, "").size() : std::get<PlaneScene>(scene).lights.size();
+  const std::size_t blockers = std::visit([](const auto& some) { return some.blockers.size(); }, scene);
+  return counted(lights, "light") + ", " + counted(blockers, "blocker");
 }
 
 std::string scene_text(const Scene& scene) {

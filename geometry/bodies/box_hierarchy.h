@@ -4,6 +4,7 @@
 /// line, another box.
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -21,14 +22,17 @@ class BoxHierarchy {
 
   /// Replaces `found` by the numbers of all boxes that may meet what is searched with, and some others, in no order.
   /// Requires: `may_meet(box)` is true if it is true of some box inside.
+  /// Returns:  the number of nodes visited.
   template <class MayMeet>
-  void search(const MayMeet& may_meet, std::vector<std::uint32_t>& found) const {
+  std::size_t search(const MayMeet& may_meet, std::vector<std::uint32_t>& found) const {
     found.clear();
-    if (empty()) return;
+    if (empty()) return 0;
+    std::size_t visited = 0;
     std::array<std::uint32_t, 128> stack{};
     std::size_t depth = 1;
     while (depth > 0) {
       const Branch& branch = branches_[stack[--depth]];
+      ++visited;
       if (!may_meet(branch.box)) continue;
       for (std::uint32_t i = 0; i < branch.count; ++i) {
         const std::uint32_t k = branch.first + i;
@@ -38,6 +42,7 @@ class BoxHierarchy {
       stack[depth++] = branch.first;
       stack[depth++] = branch.first + 1;
     }
+    return visited;
   }
 
  private:

@@ -170,8 +170,13 @@ Mesh read_mesh(const SceneElement& element, const std::filesystem::path& folder,
   }
   if (checked.facets.size() == soup.facets.size()) checked.numbers.clear();
   std::optional<double> dents;
-  if (closed && use == MeshUse::blocker) dents = deviation_from_convex(soup.vertices, checked.facets);
-  if (dents && *dents > 0) {
+  if (closed && use != MeshUse::receiver) dents = deviation_from_convex(soup.vertices, checked.facets);
+  if (use == MeshUse::light && !dents) {
+    node.refuse_as_unsupported(
+        closed ? "a mesh that is not convex" : "a mesh that is not closed",
+        "a light that is a closed convex mesh, or a polygon: others are not available in this version");
+  }
+  if (dents && *dents > 0 && use == MeshUse::blocker) {
     scene.doubts.push_back(element.title + ": it is a convex solid but for dents of up to " + shortest(*dents) + " " +
                            scene.length_unit +
                            ", within the limit of 1e-9 of its diameter; its volumes are those of the hull of its "

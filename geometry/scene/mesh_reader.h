@@ -7,15 +7,15 @@
 
 namespace gnomon {
 
-/// What a mesh is read for: only of blockers it matters whether they are closed.
-enum class MeshUse { blocker, receiver };
+/// What a mesh is read for: of blockers and lights it matters whether they are closed and convex.
+enum class MeshUse { blocker, receiver, light };
 
 /// Reads the mesh file that an element names. Vertices of equal coordinates become one, in every format.
 ///
 /// Facets have to be simple polygons near a plane; they may have holes, by seams. Doubts are added to the scene: what
 /// was mended (see checked_facets) or passed over, lamps among the materials, a mesh that is not closed.
 ///
-/// Throws: SceneError.
+/// Throws: SceneError; UnsupportedSceneError for a light that is not closed and convex.
 Mesh read_mesh(const SceneElement& element, const std::filesystem::path& folder, SpaceScene& scene,
                MeshUse use = MeshUse::blocker);
 

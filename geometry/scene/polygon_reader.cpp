@@ -79,19 +79,14 @@ void doubt_flatness(const SceneElement& element, const PolygonPlane& plane, Take
 
 /// Refuses what is no polygon, and a boundary that is not convex where it has to be.
 void require_polygon(const RingNodes& nodes, const PolygonExamination& polygon, ConcaveRing concave) {
-  if (concave != ConcaveRing::accepted && nodes.holes.empty()) {
+  if (concave == ConcaveRing::refused && nodes.holes.empty()) {
     const std::optional<PolygonDefect> defect = ConvexPolygon::defect(nodes.points);
-    const bool turns_wrongly = defect && defect->kind >= PolygonDefect::Kind::not_convex;
-    if (turns_wrongly && (polygon.refusal || concave == ConcaveRing::refused)) {
+    if (defect && defect->kind >= PolygonDefect::Kind::not_convex) {
       nodes.refuse(convexity_refusal(nodes.points, *defect));
     }
   }
   if (polygon.refusal) nodes.refuse(*polygon.refusal);
-  if (concave == ConcaveRing::unsupported && (!polygon.is_convex || polygon.rings.size() > 1)) {
-    nodes.list.refuse_as_unsupported("a light that is concave or has holes",
-                                     "a convex polygon: other lights are not available in this version");
-  }
-  if (concave == ConcaveRing::accepted || polygon.is_convex) return;
+  if (concave != ConcaveRing::refused || polygon.is_convex) return;
   nodes.list.refuse("an outer boundary that is not convex",
                     "a convex polygon, its vertices in order around it, or the shape \"concave_polygon\"");
 }

@@ -15,8 +15,8 @@ using PolygonShape = std::variant<ConvexPolygon, ConcavePolygon>;
 /// What becomes of a boundary that is not convex.
 enum class ConcaveRing {
   accepted,
-  refused,      ///< a polygon may have holes, but is convex around them
-  unsupported,  ///< a light
+  refused,   ///< a polygon may have holes, but is convex around them
+  of_light,  ///< accepted, but a convex boundary makes one polygon, also of rounded vertices
 };
 
 /// Reads "vertices" and "holes" of an element. Closed rings and equal neighbours are mended with a doubt, bent polygons

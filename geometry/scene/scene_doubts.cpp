@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <span>
 #include <tuple>
 
 #include "geometry/bodies/body.h"
@@ -45,13 +46,27 @@ void doubt_duplicates(const std::vector<Blocker>& blockers, std::vector<std::str
   }
 }
 
-template <class Light>
-void doubt_darkness(const std::vector<Light>& lights, std::vector<std::string>& doubts) {
-  for (const Light& light : lights) {
-    if (light.strength > 0) continue;
-    doubts.push_back(element_title("lights", light.name) +
-                     ": its strength is 0; its shadows are computed all the same");
+/// The lights of the file, each as its parts.
+std::vector<std::span<const SceneLight>> light_elements(std::span<const SceneLight> lights) {
+  std::vector<std::span<const SceneLight>> elements;
+  for (std::size_t first = 0, last = 0; first < lights.size(); first = last) {
+    while (last < lights.size() && lights[last].element == lights[first].element) ++last;
+    elements.push_back(lights.subspan(first, last - first));
   }
+  return elements;
+}
+
+void doubt_strength(const std::string& light, double strength, std::vector<std::string>& doubts) {
+  if (strength > 0) return;
+  doubts.push_back(element_title("lights", light) + ": its strength is 0; its shadows are computed all the same");
+}
+
+void doubt_darkness(const std::vector<PlanarLight>& lights, std::vector<std::string>& doubts) {
+  for (const PlanarLight& light : lights) doubt_strength(light.name, light.strength, doubts);
+}
+
+void doubt_darkness(const std::vector<SceneLight>& lights, std::vector<std::string>& doubts) {
+  for (const auto parts : light_elements(lights)) doubt_strength(parts[0].element, parts[0].strength, doubts);
 }
 
 bool reaches_front(std::span<const Point3> points, const ConvexPolygon& light) {
@@ -60,13 +75,21 @@ bool reaches_front(std::span<const Point3> points, const ConvexPolygon& light) {
                      [&](const Point3& p) { return exact_orientation(corner(0), corner(1), corner(2), p) > 0; });
 }
 
+/// True of a one-sided flat light that has no blocker in front of it.
+bool turns_its_back(const SceneLight& light, const std::vector<SceneBlocker>& blockers) {
+  const auto* area = std::get_if<AreaLight>(&light.shape);
+  if (!area || area->two_sided || !area->polygon.is_flat()) return false;
+  return std::none_of(blockers.begin(), blockers.end(), [&](const SceneBlocker& blocker) {
+    return reaches_front(blocker_points(blocker.shape), area->polygon);
+  });
+}
+
 void doubt_backs(const SpaceScene& scene, std::vector<std::string>& doubts) {
-  for (const SceneLight& light : scene.lights) {
-    const auto* area = std::get_if<AreaLight>(&light.shape);
-    if (!area || area->two_sided || !area->polygon.is_flat() || scene.blockers.empty()) continue;
-    const auto in_front = [&](const SceneBlocker& b) { return reaches_front(blocker_points(b.shape), area->polygon); };
-    if (std::any_of(scene.blockers.begin(), scene.blockers.end(), in_front)) continue;
-    doubts.push_back(element_title("lights", light.name) +
+  if (scene.blockers.empty()) return;
+  for (const auto parts : light_elements(scene.lights)) {
+    const auto turns = [&](const SceneLight& part) { return turns_its_back(part, scene.blockers); };
+    if (!std::all_of(parts.begin(), parts.end(), turns)) continue;
+    doubts.push_back(element_title("lights", parts[0].element) +
                      ": no blocker is in front of it; a polygon light shines to the side from which its vertices run "
                      "counterclockwise");
   }
@@ -161,17 +184,20 @@ std::string filling(const SceneBlocker& blocker, std::span<const Point3> points)
 
 /// A room as a closed mesh is a solid to the program, and dark.
 void doubt_enclosed_lights(const SpaceScene& scene, std::vector<std::string>& doubts) {
-  for (const SceneLight& light : scene.lights) {
-    if (std::holds_alternative<DirectionalLight>(light.shape)) continue;
-    const std::vector<Point3> points = light_points(light.shape);
+  for (const auto parts : light_elements(scene.lights)) {
+    if (std::holds_alternative<DirectionalLight>(parts[0].shape)) continue;
+    std::vector<Point3> points;
+    for (const SceneLight& part : parts) {
+      for (const Point3& p : light_points(part.shape)) points.push_back(p);
+    }
     for (const SceneBlocker& blocker : scene.blockers) {
       const std::string what = filling(blocker, points);
       if (what.empty()) continue;
       doubts.push_back(
-          element_title("lights", light.name) + ": it reaches into " + element_title("blockers", blocker.name) + ", " +
-          what +
-          ": all inside is in the umbra, and what of the light is there shines nowhere; leave out a facet, or "
-          "write walls as polygons, for a room with air in it");
+          element_title("lights", parts[0].element) + ": it reaches into " + element_title("blockers", blocker.name) +
+          ", " + what +
+          ": all inside is in the umbra, and what of the light is there shines nowhere; leave out a facet, "
+          "or write walls as polygons, for a room with air in it");
     }
   }
 }

@@ -97,7 +97,7 @@ SpaceScene space_scene(const JsonNode& document, const std::filesystem::path& fo
   scene.camera = read_camera(document, scene.up);
   scene.length_unit = length_unit(document);
   const SceneLists lists(document);
-  read_spatial_lights(lists.lights, scene);
+  read_spatial_lights(lists.lights, folder, scene);
   read_spatial_blockers(lists.blockers, folder, scene);
   read_spatial_receivers(lists.receivers, folder, scene);
   return scene;

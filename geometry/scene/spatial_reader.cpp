@@ -1,8 +1,10 @@
 #include "geometry/scene/spatial_reader.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "geometry/bodies/polygon_checks.h"
+#include "geometry/numbers/orientation.h"
 #include "geometry/scene/camera_reader.h"
 #include "geometry/scene/emission_reader.h"
 #include "geometry/scene/mesh_reader.h"
@@ -35,12 +37,40 @@ bool is_two_sided(const SceneElement& element) {
 }
 
 void read_area_light(const SceneElement& element, SpaceScene& scene) {
-  element.node.allow_keys({"name", "shape", "vertices", "radiance", "two_sided", "color"}, "a polygon light");
+  element.node.allow_keys({"name", "shape", "vertices", "holes", "radiance", "two_sided", "color"}, "a polygon light");
   const double radiance = strength(element, "radiance");
   const bool both = is_two_sided(element);
-  for (NamedPolygon& part : polygon_parts(element.name, read_polygon(element, ConcaveRing::unsupported, scene))) {
-    scene.lights.push_back(
-        {std::move(part.name), AreaLight{std::move(part.polygon), both}, radiance, light_colour(element)});
+  for (NamedPolygon& part : polygon_parts(element.name, read_polygon(element, ConcaveRing::of_light, scene))) {
+    scene.lights.push_back({std::move(part.name), AreaLight{std::move(part.polygon), both}, radiance,
+                            light_colour(element), element.name, element.shape});
+  }
+}
+
+/// Turns facets that run inward, as seen by some vertex off the first facet's plane.
+///
+/// Requires: a closed convex mesh.
+void turn_outward(Mesh& mesh, const std::string& title, std::vector<std::string>& doubts) {
+  for (const std::vector<std::uint32_t>& facet : mesh.facets) {
+    for (const Point3& p : mesh.vertices) {
+      const int side = exact_orientation(mesh.vertices[facet[0]], mesh.vertices[facet[1]], mesh.vertices[facet[2]], p);
+      if (side < 0) return;
+      if (side == 0) continue;
+      for (std::vector<std::uint32_t>& turned : mesh.facets) std::ranges::reverse(turned);
+      doubts.push_back(title + ": its facets run inward; it shines outward all the same");
+      return;
+    }
+  }
+}
+
+/// A solid that shines from every facet.
+void read_mesh_light(const SceneElement& element, const std::filesystem::path& folder, SpaceScene& scene) {
+  element.node.allow_keys({"name", "shape", "file", "radiance", "color"}, "a mesh light");
+  const double radiance = strength(element, "radiance");
+  Mesh mesh = read_mesh(element, folder, scene, MeshUse::light);
+  turn_outward(mesh, element.title, scene.doubts);
+  for (SceneReceiver& facet : receiver_facets(element.name, std::move(mesh), ReceiverSides::front)) {
+    scene.lights.push_back({std::move(facet.name), AreaLight{std::move(facet.shape)}, radiance, light_colour(element),
+                            element.name, element.shape});
   }
 }
 
@@ -104,9 +134,10 @@ BlockerShape read_shape(const SceneElement& element, MeshUse use, const std::fil
 
 }  // namespace
 
-void read_spatial_lights(const std::vector<SceneElement>& elements, SpaceScene& scene) {
+void read_spatial_lights(const std::vector<SceneElement>& elements, const std::filesystem::path& folder,
+                         SpaceScene& scene) {
   for (const SceneElement& element : elements) {
-    if (element.shape == "polygon") {
+    if (is_polygon(element)) {
       read_area_light(element, scene);
     } else if (element.shape == "segment") {
       scene.lights.push_back(read_linear_light(element));
@@ -114,11 +145,10 @@ void read_spatial_lights(const std::vector<SceneElement>& elements, SpaceScene& 
       scene.lights.push_back(read_point_light(element));
     } else if (element.shape == "direction") {
       scene.lights.push_back(read_directional_light(element));
-    } else if (element.shape == "concave_polygon" || element.shape == "mesh") {
-      element.node.refuse_as_unsupported("a light of the shape " + element.shape,
-                                         "a convex polygon: other lights are not available in this version");
+    } else if (element.shape == "mesh") {
+      read_mesh_light(element, folder, scene);
     } else {
-      refuse_shape(element, {"polygon", "segment", "point", "direction"});
+      refuse_shape(element, {"polygon", "concave_polygon", "mesh", "segment", "point", "direction"});
     }
   }
 }

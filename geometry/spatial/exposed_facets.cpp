@@ -1,5 +1,7 @@
 #include "geometry/spatial/exposed_facets.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
@@ -8,6 +10,9 @@
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include "geometry/bodies/box_hierarchy.h"
+#include "geometry/bodies/boxes.h"
+#include "geometry/numbers/rounding.h"
 #include "geometry/spatial/convex_difference.h"
 
 namespace gnomon {
@@ -122,15 +127,105 @@ ExactVector lifted(const std::array<Rational, 4>& plane, const Axes& axes, const
 
 }  // namespace
 
-struct ExposedFacets::State {
-  std::vector<Polyhedron> polyhedra;
+namespace {
+
+/// Boxes around points in two frames: that of space, and one with its third axis along most shadows. Points that are
+/// in both of two sets are in both boxes: extents are wider than what is rounded.
+struct TwoBoxes {
+  Box3 turned;
+  Box3 straight;
 };
 
-ExposedFacets::ExposedFacets(std::span<const std::vector<ExactFacet>> polyhedra) : state_(std::make_unique<State>()) {
+class Frame {
+ public:
+  /// Bound. `largest` is at least the absolute value of every coordinate. A coordinate is off by u of itself, and a sum
+  /// of three products of coordinates and components of at most 1 by 12 u of the largest in all.
+  Frame(const Point3& along, double largest) : margin_(0x1p-44 * largest) {
+    const double size = std::max({std::fabs(along.x), std::fabs(along.y), std::fabs(along.z)});
+    if (!(size > 0) || !std::isfinite(size)) return;
+    third_ = unit({along.x / size, along.y / size, along.z / size});
+    const Vector3<double> aside = std::fabs(third_.x) < 0.6   ? Vector3<double>{1, 0, 0}
+                                  : std::fabs(third_.y) < 0.6 ? Vector3<double>{0, 1, 0}
+                                                              : Vector3<double>{0, 0, 1};
+    first_ = unit(cross(third_, aside));
+    second_ = cross(third_, first_);
+  }
+
+  TwoBoxes boxes(std::span<const Point3> points) const {
+    TwoBoxes result{empty_box3(), empty_box3()};
+    for (const Point3& p : points) {
+      const Vector3<double> v{p.x, p.y, p.z};
+      include(result.turned, {dot(v, first_), dot(v, second_), dot(v, third_)});
+      include(result.straight, p);
+    }
+    for (Box3* box : {&result.turned, &result.straight}) {
+      box->min = {box->min.x - margin_, box->min.y - margin_, box->min.z - margin_};
+      box->max = {box->max.x + margin_, box->max.y + margin_, box->max.z + margin_};
+    }
+    return result;
+  }
+
+ private:
+  static Vector3<double> unit(const Vector3<double>& v) { return (1 / std::sqrt(dot(v, v))) * v; }
+
+  double margin_;
+  Vector3<double> first_{1, 0, 0}, second_{0, 1, 0}, third_{0, 0, 1};
+};
+
+std::vector<Point3> near_points(const ExactFacet& facet) {
+  std::vector<Point3> points;
+  for (const ExactVector& p : facet.loop)
+    points.push_back({nearest_double(p.x), nearest_double(p.y), nearest_double(p.z)});
+  return points;
+}
+
+}  // namespace
+
+struct ExposedFacets::State {
+  std::vector<Polyhedron> polyhedra;
+  std::vector<TwoBoxes> boxes;                     ///< of the polyhedra
+  std::vector<std::vector<TwoBoxes>> facet_boxes;  ///< of their facets
+  BoxHierarchy hierarchy;                          ///< over the turned boxes
+
+  /// Those that may meet a facet, ascending.
+  std::vector<std::uint32_t> near(std::size_t polyhedron, std::size_t facet) const {
+    const TwoBoxes& own = facet_boxes[polyhedron][facet];
+    std::vector<std::uint32_t> found;
+    hierarchy.search([&](const Box3& box) { return overlap(box, own.turned); }, found);
+    std::erase_if(found, [&](std::uint32_t j) { return j == polyhedron || !overlap(boxes[j].straight, own.straight); });
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+};
+
+ExposedFacets::ExposedFacets(std::span<const std::vector<ExactFacet>> polyhedra, const Point3& along)
+    : state_(std::make_unique<State>()) {
+  std::vector<std::vector<std::vector<Point3>>> points;
+  double largest = 0;
   for (const auto& facets : polyhedra) {
     Polyhedron& polyhedron = state_->polyhedra.emplace_back();
-    for (const ExactFacet& facet : facets) polyhedron.push_back(to_cgal(facet));
+    points.emplace_back();
+    for (const ExactFacet& facet : facets) {
+      polyhedron.push_back(to_cgal(facet));
+      points.back().push_back(near_points(facet));
+      for (const Point3& p : points.back().back()) {
+        largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+      }
+    }
   }
+  const Frame frame(along, largest);
+  std::vector<Box3> turned;
+  for (const auto& of_polyhedron : points) {
+    std::vector<Point3> all;
+    state_->facet_boxes.emplace_back();
+    for (const std::vector<Point3>& of_facet : of_polyhedron) {
+      state_->facet_boxes.back().push_back(frame.boxes(of_facet));
+      all.insert(all.end(), of_facet.begin(), of_facet.end());
+    }
+    state_->boxes.push_back(frame.boxes(all));
+    turned.push_back(all.empty() ? Box3{} : state_->boxes.back().turned);  // an empty box has no middle
+  }
+  state_->hierarchy = BoxHierarchy(turned);
 }
 ExposedFacets::ExposedFacets(ExposedFacets&&) noexcept = default;
 ExposedFacets& ExposedFacets::operator=(ExposedFacets&&) noexcept = default;
@@ -140,8 +235,7 @@ std::vector<ExactEdge> ExposedFacets::edges(std::size_t polyhedron, std::size_t 
   const Facet& facet = state_->polyhedra[polyhedron][facet_index];
   const Axes frame = axes(facet.coefficients);
   std::vector<ConvexLoop> hidden;
-  for (std::size_t j = 0; j < state_->polyhedra.size(); ++j) {
-    if (j == polyhedron || state_->polyhedra[j].empty()) continue;
+  for (const std::uint32_t j : state_->near(polyhedron, facet_index)) {
     const Loop3 loop = hidden_part(facet, state_->polyhedra[j], j < polyhedron);
     if (!loop.empty()) hidden.push_back(projected(frame, loop));
   }

@@ -22,7 +22,9 @@ using ExactEdge = std::array<ExactVector, 2>;
 /// What the facets of several convex polyhedra contribute to the boundary of the union of all.
 class ExposedFacets {
  public:
-  explicit ExposedFacets(std::span<const std::vector<ExactFacet>> polyhedra);
+  /// `along` is a direction in which most polyhedra are long, as shadows are along rays of light: searches are faster
+  /// then. It need not be a unit vector; zero for none.
+  explicit ExposedFacets(std::span<const std::vector<ExactFacet>> polyhedra, const Point3& along = {});
   ExposedFacets(ExposedFacets&&) noexcept;
   ExposedFacets& operator=(ExposedFacets&&) noexcept;
   ~ExposedFacets();
@@ -31,7 +33,8 @@ class ExposedFacets {
   /// the first one keeps what is common; with opposite outsides both lose it.
   ///
   /// Orientation: seen from outside, what is left lies on the left of each edge.
-  /// Exactness:   filtered exact signs.
+  /// Exactness:   filtered exact signs; polyhedra are left out where doubles hold boxes around them apart for certain.
+  /// Cost:        a search in a hierarchy of boxes, and what convex_difference costs for those that it finds.
   std::vector<ExactEdge> edges(std::size_t polyhedron, std::size_t facet) const;
 
  private:

@@ -151,10 +151,24 @@ std::vector<OcclusionPart> occlusion_parts(const Light& light, std::span<const C
   return result;
 }
 
-ExposedFacets exposed_facets(const std::vector<OcclusionPart>& parts) {
+ExposedFacets exposed_facets(const std::vector<OcclusionPart>& parts, const Point3& along) {
   std::vector<std::vector<ExactFacet>> polyhedra;
   for (const OcclusionPart& part : parts) polyhedra.push_back(part.facets);
-  return ExposedFacets(polyhedra);
+  return ExposedFacets(polyhedra, along);
+}
+
+/// About the way from the light to the parts, by which shadows are long.
+Point3 main_direction(const Light& light, std::span<const ConvexBlocker> parts) {
+  if (const auto* sun = std::get_if<DirectionalLight>(&light)) return sun->direction;
+  const auto middle = [](const Box3& box) {
+    return Point3{box.min.x / 2 + box.max.x / 2, box.min.y / 2 + box.max.y / 2, box.min.z / 2 + box.max.z / 2};
+  };
+  Box3 around = empty_box3();
+  for (const ConvexBlocker& part : parts) {
+    for (const Point3& p : std::visit([](const auto& shape) { return shape.points(); }, part)) include(around, p);
+  }
+  const Point3 from = middle(box_around(light_points(light))), to = middle(around);
+  return parts.empty() ? Point3{} : Point3{to.x - from.x, to.y - from.y, to.z - from.z};
 }
 
 }  // namespace
@@ -166,11 +180,12 @@ struct OcclusionMerger::State {
   std::vector<ExposedFacet> facets;
   Places places;
 
-  explicit State(std::vector<OcclusionPart> all) : parts(std::move(all)), exposed(exposed_facets(parts)) {}
+  State(std::vector<OcclusionPart> all, const Point3& along)
+      : parts(std::move(all)), exposed(exposed_facets(parts, along)) {}
 };
 
 OcclusionMerger::OcclusionMerger(const Light& light, std::span<const ConvexBlocker> parts, const Box3& box)
-    : state_(std::make_unique<State>(occlusion_parts(light, parts, box))) {}
+    : state_(std::make_unique<State>(occlusion_parts(light, parts, box), main_direction(light, parts))) {}
 OcclusionMerger::OcclusionMerger(OcclusionMerger&&) noexcept = default;
 OcclusionMerger& OcclusionMerger::operator=(OcclusionMerger&&) noexcept = default;
 OcclusionMerger::~OcclusionMerger() = default;

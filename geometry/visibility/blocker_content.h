@@ -50,10 +50,14 @@ struct BlockerSet::Content {
   double largest = 0;           ///< absolute coordinate
 
   std::span<const Point3> corners(const Shape& shape) const { return {points.data() + shape.first, shape.count}; }
+  std::span<const Point3> points_of(const Shape& shape) const {
+    return shape.solid >= 0 ? solids[static_cast<std::size_t>(shape.solid)].points() : corners(shape);
+  }
 
   /// Replaces `found` by the indices, ascending, of every blocker that has a point in the pyramid, and some others.
+  /// Returns:   the number of nodes of the hierarchy, or of blockers, that were looked at.
   /// Exactness: a box is left out only where its distance exceeds all that may have been rounded.
-  void collect(const LightPyramid& pyramid, std::vector<std::uint32_t>& found) const;
+  std::size_t collect(const LightPyramid& pyramid, std::vector<std::uint32_t>& found) const;
 
   /// The same for a line of sight, in any order.
   void collect_along(const SightLine& line, std::vector<std::uint32_t>& found) const;

@@ -160,11 +160,15 @@ std::size_t BlockerSet::size() const {
   return content_->shapes.size();
 }
 
-void BlockerSet::Content::collect(const LightPyramid& pyramid, std::vector<std::uint32_t>& found) const {
+std::size_t BlockerSet::Content::collect(const LightPyramid& pyramid, std::vector<std::uint32_t>& found) const {
   const auto meets = [&](const Box3& box) { return may_meet(box, pyramid); };
-  if (boxes.empty()) return collect_few(meets, found);
-  boxes.search(meets, found);
+  if (boxes.empty()) {
+    collect_few(meets, found);
+    return shapes.size();
+  }
+  const std::size_t visited = boxes.search(meets, found);
   std::sort(found.begin(), found.end());
+  return visited;
 }
 
 void BlockerSet::Content::collect_along(const SightLine& line, std::vector<std::uint32_t>& found) const {

@@ -9,6 +9,7 @@
 #include "geometry/numbers/rounding.h"
 #include "geometry/visibility/blocker_content.h"
 #include "geometry/visibility/boundary_walk.h"
+#include "geometry/visibility/linear_search/occluder_index.h"
 #include "geometry/visibility/receiver_candidates.h"
 #include "geometry/visibility/receiver_front.h"
 #include "geometry/visibility/silhouette_builder.h"
@@ -20,23 +21,29 @@ using namespace sight;
 /// The light, and the memory that questions share.
 class FastLinearVisibility::Work {
  public:
-  Work(const LinearLight& light, BlockerSet blockers)
-      : blockers_(std::move(blockers)), ends_{light.start, light.end, light.start} {
-    in_range_ = is_in_range(light.start) && is_in_range(light.end) && blockers_.content().largest <= largest;
+  Work(const LinearLight& light, std::shared_ptr<const OccluderIndex> index)
+      : index_(std::move(index)), ends_{light.start, light.end, light.start} {
+    in_range_ = is_in_range(light.start) && is_in_range(light.end) && blockers().largest <= largest;
   }
+
+  std::optional<std::span<const std::uint32_t>> occluders(const Point3& apex);
+  const SearchCounts& counts() const { return counts_; }
 
   /// `receiver` is null for a bare point.
   std::optional<LinearLightSeen> seen_from(const Point3& apex, const ReceiverPoint* receiver);
 
  private:
+  const BlockerSet::Content& blockers() const { return index_->blockers().content(); }
   bool stand_up(const Point3& apex);
+  void find_candidates(const Point3& apex);
   std::optional<LinearLightSeen> look(const Point3& apex, const ReceiverPoint* receiver);
   std::optional<LinearLightSeen> look_before(const ReceiverPoint& receiver);
   LinearLightSeen walk(const Point3& apex);
   StretchEnd end_at(const Edge& edge, const Station& station) const;
   LinearLightSeen penumbra(const Edge& edge);
 
-  BlockerSet blockers_;
+  std::shared_ptr<const OccluderIndex> index_;
+  SearchCounts counts_;
   bool in_range_ = false;
   std::array<Point3, 3> ends_;  ///< start, end, and a point beside the plane through them and the apex
   LightPlane plane_;
@@ -114,12 +121,23 @@ LinearLightSeen FastLinearVisibility::Work::walk(const Point3& apex) {
   return {Region::lit, 1, 0, stretches_};
 }
 
+void FastLinearVisibility::Work::find_candidates(const Point3& apex) {
+  index_->find({{apex, ends_[0], ends_[1]}, {apex, silhouettes_.pyramid(), plane_}}, candidates_, counts_);
+}
+
+std::optional<std::span<const std::uint32_t>> FastLinearVisibility::Work::occluders(const Point3& apex) {
+  if (!in_range_ || !is_in_range(apex) || !stand_up(apex)) return std::nullopt;
+  SilhouetteBuilder(apex, ends_, plane_, silhouettes_);
+  find_candidates(apex);
+  return candidates_;
+}
+
 std::optional<LinearLightSeen> FastLinearVisibility::Work::look(const Point3& apex, const ReceiverPoint* receiver) {
   if (!stand_up(apex)) return std::nullopt;
   SilhouetteBuilder builder(apex, ends_, plane_, silhouettes_, receiver ? Along::undecided : Along::hides);
-  blockers_.content().collect({apex, silhouettes_.pyramid(), plane_}, candidates_);
-  if (receiver && !keep_before(*receiver, blockers_.content(), candidates_)) return std::nullopt;
-  const Gathered gathered = builder.append_blockers(blockers_.content(), candidates_);
+  find_candidates(apex);
+  if (receiver && !keep_before(*receiver, blockers(), candidates_)) return std::nullopt;
+  const Gathered gathered = builder.append_blockers(blockers(), candidates_);
   if (gathered == Gathered::undecided) return std::nullopt;
   if (gathered == Gathered::covered) return LinearLightSeen{Region::umbra, 0, 0, {}};
   return walk(apex);
@@ -207,8 +225,10 @@ std::optional<LinearLightSeen> FastLinearVisibility::Work::seen_from(const Point
   return start < 0 || end < 0 ? look_before(*receiver) : look(apex, receiver);
 }
 
-FastLinearVisibility::FastLinearVisibility(const LinearLight& light, BlockerSet blockers)
-    : work_(std::make_unique<Work>(light, std::move(blockers))) {}
+FastLinearVisibility::FastLinearVisibility(const LinearLight& light, BlockerSet blockers, const LinearSearch& search)
+    : FastLinearVisibility(light, std::make_shared<const OccluderIndex>(light, std::move(blockers), search)) {}
+FastLinearVisibility::FastLinearVisibility(const LinearLight& light, std::shared_ptr<const OccluderIndex> index)
+    : work_(std::make_unique<Work>(light, std::move(index))) {}
 FastLinearVisibility::FastLinearVisibility(FastLinearVisibility&&) noexcept = default;
 FastLinearVisibility& FastLinearVisibility::operator=(FastLinearVisibility&&) noexcept = default;
 FastLinearVisibility::~FastLinearVisibility() = default;
@@ -219,6 +239,14 @@ std::optional<LinearLightSeen> FastLinearVisibility::seen_from(const Point3& poi
 
 std::optional<LinearLightSeen> FastLinearVisibility::seen_by(const ReceiverPoint& receiver) {
   return work_->seen_from(receiver.point, &receiver);
+}
+
+std::optional<std::span<const std::uint32_t>> FastLinearVisibility::occluders(const Point3& point) {
+  return work_->occluders(point);
+}
+
+const SearchCounts& FastLinearVisibility::search_counts() const {
+  return work_->counts();
 }
 
 }  // namespace gnomon

@@ -6,12 +6,17 @@
 #include <span>
 
 #include "geometry/visibility/blocker_set.h"
-#include "geometry/visibility/receiver_front.h"
 #include "gnomon/light.h"
 #include "gnomon/names.h"
 #include "gnomon/point.h"
+#include "gnomon/visibility.h"
 
 namespace gnomon {
+
+namespace sight {
+class OccluderIndex;
+struct SearchCounts;
+}  // namespace sight
 
 /// An end of a visible stretch of a linear light: one of the light's ends, or where a blocker's edge crosses it as
 /// seen.
@@ -44,11 +49,14 @@ struct LinearLightSeen {
 /// Exactness:  the region and the edges that bound what is visible are exact: a sign that doubles cannot certify is
 ///             taken in exact arithmetic. Shares and the fraction carry bounds. Where this level does not decide it
 ///             says so.
-/// Cost:       a search in the hierarchy, and one cover for each blocker near the triangle between point and light.
+/// Cost:       a search for blockers that may hide the light, and one cover for each blocker near the triangle between
+/// point and light.
 ///             Memory is kept for the next question, so one object per thread.
 class FastLinearVisibility {
  public:
-  FastLinearVisibility(const LinearLight& light, BlockerSet blockers);
+  FastLinearVisibility(const LinearLight& light, BlockerSet blockers, const LinearSearch& search = {});
+  /// The index is the light's.
+  FastLinearVisibility(const LinearLight& light, std::shared_ptr<const sight::OccluderIndex> index);
   FastLinearVisibility(FastLinearVisibility&&) noexcept;
   FastLinearVisibility& operator=(FastLinearVisibility&&) noexcept;
   ~FastLinearVisibility();
@@ -66,6 +74,14 @@ class FastLinearVisibility {
   /// Returns: nothing also where a blocker may hold the point, an edge is coplanar with light and point, or doubles do
   ///          not tell whether a stretch reaches before the plane.
   std::optional<LinearLightSeen> seen_by(const ReceiverPoint& receiver);
+
+  /// The blockers that the search finds for the point, ascending: all that have a point in the triangle between it and
+  /// the light, and some others. Nothing for a point on the light's line or coordinates beyond 1e30. Valid until the
+  /// next question.
+  std::optional<std::span<const std::uint32_t>> occluders(const Point3& point);
+
+  /// What the searches of all questions did.
+  const sight::SearchCounts& search_counts() const;
 
  private:
   class Work;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "geometry/bodies/boxes.h"
+#include "geometry/visibility/linear_search/occluder_index.h"
 #include "geometry/visibility/prepared_obstacles.h"
 
 namespace gnomon {
@@ -70,19 +71,33 @@ const Obstacles& PreparedObstacles::obstacles() const {
   return content_->obstacles;
 }
 
-FastLevel fast_level(const Light& light, const BlockerSet& blockers) {
+std::shared_ptr<const sight::OccluderIndex> PreparedObstacles::Content::occluders(const LinearLight& light,
+                                                                                  const LinearSearch& search) const {
+  const std::lock_guard lock(making_);
+  std::erase_if(made_, [](const Made& made) { return made.index.expired(); });
+  for (const Made& made : made_) {
+    if (made.start != light.start || made.end != light.end || made.search != search) continue;
+    if (std::shared_ptr<const sight::OccluderIndex> index = made.index.lock()) return index;
+  }
+  auto index = std::make_shared<const sight::OccluderIndex>(light, blockers, search);
+  made_.push_back({light.start, light.end, search, index});
+  return index;
+}
+
+FastLevel fast_level(const Light& light, const PreparedObstacles& obstacles, const LinearSearch& search) {
+  const BlockerSet& blockers = obstacles.content().blockers;
   if (const auto* point = std::get_if<PointLight>(&light)) return FastPointVisibility(*point, blockers);
   if (const auto* sun = std::get_if<DirectionalLight>(&light)) return FastPointVisibility(*sun, blockers);
-  if (const auto* linear = std::get_if<LinearLight>(&light)) return FastLinearVisibility(*linear, blockers);
+  if (const auto* linear = std::get_if<LinearLight>(&light)) {
+    return FastLinearVisibility(*linear, obstacles.content().occluders(*linear, search));
+  }
   return FastVisibility(std::get<AreaLight>(light), blockers);
 }
 
 class LightVisibility::Work {
  public:
-  Work(Light light, PreparedObstacles obstacles)
-      : light_(std::move(light)),
-        obstacles_(std::move(obstacles)),
-        fast_(fast_level(light_, obstacles_.content().blockers)) {}
+  Work(Light light, PreparedObstacles obstacles, const LinearSearch& search)
+      : light_(std::move(light)), obstacles_(std::move(obstacles)), fast_(fast_level(light_, obstacles_, search)) {}
 
   template <class Looking>
   Visibility answer(const Looking& p) {
@@ -108,8 +123,8 @@ class LightVisibility::Work {
   std::size_t exact_answers_ = 0;
 };
 
-LightVisibility::LightVisibility(Light light, PreparedObstacles obstacles)
-    : work_(std::make_unique<Work>(std::move(light), std::move(obstacles))) {}
+LightVisibility::LightVisibility(Light light, PreparedObstacles obstacles, const LinearSearch& search)
+    : work_(std::make_unique<Work>(std::move(light), std::move(obstacles), search)) {}
 LightVisibility::LightVisibility(LightVisibility&&) noexcept = default;
 LightVisibility& LightVisibility::operator=(LightVisibility&&) noexcept = default;
 LightVisibility::~LightVisibility() = default;

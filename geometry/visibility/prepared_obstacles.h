@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+#include <mutex>
 #include <variant>
 #include <vector>
 
@@ -25,20 +27,31 @@ struct PreparedObstacles::Content {
     return may_enclose(place_of(p)) && is_enclosed(obstacles, p);
   }
 
+  /// The blockers made ready for one linear light. Whoever asks for the same, on whatever thread, gets the same.
+  std::shared_ptr<const sight::OccluderIndex> occluders(const LinearLight& light, const LinearSearch& search) const;
+
   Obstacles obstacles;
   BlockerSet blockers;
 
  private:
+  /// What was made and may still be in use.
+  struct Made {
+    Point3 start, end;
+    LinearSearch search;
+    std::weak_ptr<const sight::OccluderIndex> index;
+  };
   static const Point3& place_of(const Point3& p) { return p; }
   static const Point3& place_of(const ReceiverPoint& receiver) { return receiver.point; }
   bool may_enclose(const Point3& p) const;
 
   std::vector<Box3> enclosures_;
+  mutable std::mutex making_;
+  mutable std::vector<Made> made_;  ///< guarded by making_
 };
 
 /// The fast level for any light.
 using FastLevel = std::variant<FastPointVisibility, FastLinearVisibility, FastVisibility>;
 
-FastLevel fast_level(const Light& light, const BlockerSet& blockers);
+FastLevel fast_level(const Light& light, const PreparedObstacles& obstacles, const LinearSearch& search);
 
 }  // namespace gnomon

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geometry/numbers/orientation.h"
+#include "geometry/visibility/common_part.h"
 
 namespace gnomon::sight {
 namespace {
@@ -21,16 +22,13 @@ bool is_in_box(const Point3& p, std::span<const Point3> points) {
   return between(&Point3::x) && between(&Point3::y) && between(&Point3::z);
 }
 
-bool may_hold(std::span<const Point3> corners, const Point3& p) {
-  return is_in_box(p, corners) && exact_orientation(corners[0], corners[1], corners[2], p) == 0;
-}
-
-bool may_hold(const ConvexSolid& solid, const Point3& p) {
-  const std::span<const Point3> points = solid.points();
+/// Whether the blocker holds p. Doubles say no of nearly all.
+bool has_point(const BlockerSet::Content& blockers, std::uint32_t blocker, const Point3& p) {
+  const BlockerSet::Content::Shape& shape = blockers.shapes[blocker];
+  const std::span<const Point3> points = blockers.points_of(shape);
   if (!is_in_box(p, points)) return false;
-  return std::all_of(solid.facets().begin(), solid.facets().end(), [&](const ConvexSolid::Facet& facet) {
-    return exact_orientation(points[facet.loop[0]], points[facet.loop[1]], points[facet.loop[2]], p) <= 0;
-  });
+  if (shape.solid < 0 && exact_orientation(points[0], points[1], points[2], p) != 0) return false;
+  return have_common_point(blockers, blocker, {&p, 1});
 }
 
 }  // namespace
@@ -40,10 +38,8 @@ bool keep_before(const ReceiverPoint& receiver, const BlockerSet::Content& block
   bool apart = true;
   std::erase_if(found, [&](std::uint32_t b) {
     if (std::binary_search(receiver.under.begin(), receiver.under.end(), b)) return true;
-    const BlockerSet::Content::Shape& shape = blockers.shapes[b];
-    const ConvexSolid* solid = shape.solid >= 0 ? &blockers.solids[static_cast<std::size_t>(shape.solid)] : nullptr;
-    if (!reaches_before(receiver, solid ? solid->points() : blockers.corners(shape))) return true;
-    apart = apart && !(solid ? may_hold(*solid, receiver.point) : may_hold(blockers.corners(shape), receiver.point));
+    if (!reaches_before(receiver, blockers.points_of(blockers.shapes[b]))) return true;
+    apart = apart && !has_point(blockers, b, receiver.point);
     return false;
   });
   return apart;

@@ -12,8 +12,8 @@ namespace gnomon::sight {
 
 /// Keeps of the blockers found those that reach before the receiver's plane and do not lie under the point.
 ///
-/// Returns:   false if one of these may hold the point: then the limit from the front is left to the exact level.
-/// Exactness: signs; a point near a polygon in whose plane it lies may count as held.
+/// Returns:   false if one of these holds the point: then the limit from the front is left to the exact level.
+/// Exactness: signs.
 bool keep_before(const ReceiverPoint& receiver, const BlockerSet::Content& blockers, std::vector<std::uint32_t>& found);
 
 }  // namespace gnomon::sight

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "geometry/numbers/orientation.h"
+#include "geometry/visibility/common_part.h"
 
 namespace gnomon::sight {
 
@@ -48,13 +49,24 @@ Seen SilhouetteBuilder::look_at(const BlockerSet::Content& blockers, std::uint32
   return append_flat(blockers.corners(shape), names, blocker);
 }
 
+/// True if the blocker may have a point between the apex and the light.
+bool SilhouetteBuilder::is_between(const BlockerSet::Content& blockers, std::uint32_t blocker) const {
+  if (extent_ == Extent::area) return true;
+  return have_common_point(blockers, blocker, std::array{apex_, light_corners_[0], light_corners_[1]});
+}
+
 Gathered SilhouetteBuilder::append_blockers(const BlockerSet::Content& blockers,
                                             std::span<const std::uint32_t> candidates) {
   Gathered result = Gathered::kept;
   for (const std::uint32_t candidate : candidates) {
+    const std::size_t kept = silhouettes_.list.size();
     const Seen seen = look_at(blockers, candidate);
     if (seen == Seen::covers) return Gathered::covered;
-    if (seen == Seen::undecided) result = Gathered::undecided;
+    if (seen != Seen::undecided) continue;
+    if (is_between(blockers, candidate)) result = Gathered::undecided;
+    if (silhouettes_.list.size() == kept) continue;
+    silhouettes_.list.pop_back();
+    dropped();
   }
   return result;
 }

@@ -29,6 +29,9 @@ enum class Along { hides, undecided };
 
 /// Appends silhouettes; the first is the light's.
 ///
+/// Candidates beyond those that may hide something change nothing: of a linear light a blocker that would be left
+/// undecided, but has no point between apex and light, is apart.
+///
 /// Of an area light, what only touches hides nothing that counts. A blocker that touches the plane of a linear light
 /// and the point may hide a part of it.
 class SilhouetteBuilder {
@@ -74,6 +77,7 @@ class SilhouetteBuilder {
   Seen finished(std::uint32_t element);
   Seen seen_by_light(const Silhouette& silhouette);
   Seen dropped();
+  bool is_between(const BlockerSet::Content& blockers, std::uint32_t blocker) const;
 
   Point3 apex_;
   Extent extent_;

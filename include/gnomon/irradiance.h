@@ -69,7 +69,7 @@ class LightIrradiance {
  public:
   /// `strength` is radiance [W/(m² sr)], intensity per length [W/(sr m)], intensity [W/sr] or irradiance [W/m²] of an
   /// area, linear, point or directional light, and not negative.
-  LightIrradiance(Light light, double strength, PreparedObstacles obstacles);
+  LightIrradiance(Light light, double strength, PreparedObstacles obstacles, const LinearSearch& search = {});
   LightIrradiance(LightIrradiance&&) noexcept;
   LightIrradiance& operator=(LightIrradiance&&) noexcept;
   ~LightIrradiance();

@@ -109,7 +109,7 @@ double exponent_of_highlight(double angle, double threshold);
 /// After:      [PA90] §3-4, [P93] §3.2-3.3, [Arvo95] §4; Blinn's lobe of area lights as an integral along the boundary.
 class LightReflection {
  public:
-  LightReflection(Light light, PreparedObstacles obstacles);
+  LightReflection(Light light, PreparedObstacles obstacles, const LinearSearch& search = {});
   LightReflection(LightReflection&&) noexcept;
   LightReflection& operator=(LightReflection&&) noexcept;
   ~LightReflection();

@@ -68,13 +68,19 @@ struct PlanarLightResult {
   planar::PartitionInBox in_box;
 };
 
-/// The occlusion volumes of one light and all parts of one blocker as one.
+/// The occlusion volumes of one light and all parts of one blocker, or of all blockers, as one.
 struct MergedResult {
+  /// What all blockers together are called; no blocker can have this name.
+  static constexpr std::string_view all_blockers = "all#blockers";
+
   std::uint32_t light_id = 0;    ///< index into SpaceScene::lights
   std::uint32_t blocker_id = 0;  ///< index into SpaceScene::blockers
   std::string light;
-  std::string blocker;  ///< the whole one
+  std::string blocker;  ///< the whole one, or all_blockers
   MergedOcclusion occlusion;
+  std::vector<std::string> part_names = {};  ///< of all parts, in their order
+  /// Of each part, its blocker: index into SpaceScene::blockers. For all blockers together; else none.
+  std::vector<std::uint32_t> part_blockers = {};
 };
 
 /// What one receiver, a flat piece of a receiver of the file, receives of one light behind all blockers together.

@@ -30,13 +30,19 @@
 
 namespace gnomon {
 
-/// A light of space with its name. `strength` is radiance [W/(m² sr)], intensity per length [W/(sr m)], intensity
-/// [W/sr] or irradiance [W/m²] for polygon, segment, point and direction.
+/// A light of space with its name, or a convex part of one: parts of one element of the file stand next to each other,
+/// and what points receive of them is told of the element, see <gnomon/light_parts.h>. `strength` is radiance [W/(m²
+/// sr)], intensity per length [W/(sr m)], intensity [W/sr] or irradiance [W/m²] for polygon, segment, point and
+/// direction.
 struct SceneLight {
   std::string name;
   Light shape;
   double strength = 1;
-  Rgb color = {1, 1, 1};  ///< what the strength is multiplied by in reflected radiance
+  Rgb color = {1, 1, 1};       ///< what the strength is multiplied by in reflected radiance
+  std::string element = name;  ///< the light of the file: `lamp` of its part `lamp#2`
+  std::string form = {};       ///< of a part: the light's shape there, in the file's word
+
+  bool is_part() const { return element != name; }
 };
 
 /// A material with its name, that blockers and receivers refer to.

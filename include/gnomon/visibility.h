@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -110,6 +111,44 @@ class PreparedObstacles {
   std::shared_ptr<const Content> content_;
 };
 
+/// How blockers are found that may hide a linear light from a point. Which one is taken changes no answer, only time
+/// and memory. After: [PA90] §5, [P93] §4.3.
+enum class OccluderSearch {
+  plane,            ///< every blocker is held against the plane through point and light
+  hierarchy,        ///< a hierarchy of boxes, the same for every light
+  grid,             ///< n x n x n voxels, in which the triangle between point and light is scan-converted
+  light_buffer,     ///< n sections about the light, each with lists by distance
+  light_hierarchy,  ///< a hierarchy of boxes in cylindrical coordinates about the light
+};
+
+inline constexpr std::array occluder_searches = {OccluderSearch::plane, OccluderSearch::hierarchy, OccluderSearch::grid,
+                                                 OccluderSearch::light_buffer, OccluderSearch::light_hierarchy};
+
+/// The search's name as scripts read it.
+constexpr std::string_view name(OccluderSearch search) {
+  constexpr std::string_view names[] = {"plane", "hierarchy", "grid", "light_buffer", "light_hierarchy"};
+  return names[static_cast<int>(search)];
+}
+
+/// The largest number of parts that a search takes: voxels along a side of the grid, sections of the buffer; 0 for
+/// those that have none.
+constexpr std::uint32_t most_parts(OccluderSearch search) {
+  return search == OccluderSearch::grid ? 100 : search == OccluderSearch::light_buffer ? 10000 : 0;
+}
+
+/// The number that is taken where none is asked for.
+constexpr std::uint32_t usual_parts(OccluderSearch search) {
+  return search == OccluderSearch::grid ? 25 : search == OccluderSearch::light_buffer ? 360 : 0;
+}
+
+/// A search and the number of its parts; 0 for the usual one.
+struct LinearSearch {
+  OccluderSearch strategy = OccluderSearch::light_hierarchy;
+  std::uint32_t parts = 0;
+
+  friend bool operator==(const LinearSearch&, const LinearSearch&) = default;
+};
+
 /// What points see of one light: asked at the fast level, and at the exact level where that one does not decide.
 ///
 /// Definition: exact_visibility.
@@ -118,7 +157,8 @@ class PreparedObstacles {
 /// Cost:       memory is kept for the next question, so one object per thread.
 class LightVisibility {
  public:
-  LightVisibility(Light light, PreparedObstacles obstacles);
+  /// Throws: PreconditionError for more parts than the search takes.
+  LightVisibility(Light light, PreparedObstacles obstacles, const LinearSearch& search = {});
   LightVisibility(LightVisibility&&) noexcept;
   LightVisibility& operator=(LightVisibility&&) noexcept;
   ~LightVisibility();

@@ -104,11 +104,11 @@ double LightSource::weight_towards(const LightSample& sample, const Point3& p) c
   return weight * (two_sided ? std::fabs(cosine) : std::fmax(cosine, 0));
 }
 
-LightSource::LightSource(const SceneLight& light, const PreparedObstacles& obstacles, std::uint32_t points) {
-  if (points > 0) samples_ = light_samples(light.shape, points);
+LightSource::LightSource(const SceneLight& light, const PreparedObstacles& obstacles, const ImageOptions& options) {
+  if (options.points > 0) samples_ = light_samples(light.shape, options.points);
   const auto* linear = std::get_if<LinearLight>(&light.shape);
   if (linear && !samples_.empty() && !is_isotropic(linear->emission)) shining_ = *linear;
-  if (samples_.empty()) reflections_.emplace_back(light.shape, obstacles);
+  if (samples_.empty()) reflections_.emplace_back(light.shape, obstacles, options.search);
   for (const LightSample& sample : samples_) reflections_.emplace_back(PointLight{sample.place}, obstacles);
 }
 

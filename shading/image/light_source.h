@@ -8,6 +8,7 @@
 
 #include "gnomon/reflection.h"
 #include "gnomon/scene.h"
+#include "shading/image/shaded_image.h"
 
 namespace gnomon::image {
 
@@ -29,8 +30,9 @@ std::vector<LightSample> light_samples(const Light& light, std::uint32_t count);
 /// What one light gives, exactly visible in every case.
 class LightSource {
  public:
-  /// `points`: how many points stand for a linear or area light; 0 asks for the light itself.
-  LightSource(const SceneLight& light, const PreparedObstacles& obstacles, std::uint32_t points);
+  /// The options say how many points stand for a linear or area light, 0 for the light itself, and how occluders are
+  /// found.
+  LightSource(const SceneLight& light, const PreparedObstacles& obstacles, const ImageOptions& options);
 
   /// Points of a linear light have its emission, each from its own place; its shade is decided exactly for all of them.
   /// Exactness: of the light, or of its points with these weights, which are rounded: with error bounds.

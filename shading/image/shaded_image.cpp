@@ -67,8 +67,7 @@ class Painter {
     for (const SceneLight& light : scene.lights) shaded_.lights.push_back(&light);
     for (unsigned t = 0; t < thread_count(options.threads); ++t) {
       lights_.emplace_back();
-      for (const SceneLight& light : scene.lights)
-        lights_.back().emplace_back(light, shaded_.obstacles, options.points);
+      for (const SceneLight& light : scene.lights) lights_.back().emplace_back(light, shaded_.obstacles, options);
     }
   }
 

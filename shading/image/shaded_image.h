@@ -22,6 +22,7 @@ struct ImageOptions {
   std::uint32_t points = 0;   ///< points that stand for every linear and area light; 0: the lights themselves
   std::uint32_t samples = 1;  ///< rays along each side of a pixel
   unsigned threads = 1;
+  LinearSearch search = {};  ///< for what may hide a linear light
 };
 
 /// What a pixel shows: means over its rays of radiance and irradiance; the rest is that of the ray through its middle.

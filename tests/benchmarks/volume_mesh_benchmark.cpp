@@ -55,6 +55,41 @@ void parts_of_a_mesh(benchmark::State& state) {
   state.counters["held_MB"] = held;
 }
 
+/// About n triangles of a hilly ground under a slanting sun; they touch each other.
+void merged_ground(benchmark::State& state) {
+  const auto k = static_cast<std::uint32_t>(std::lround(std::sqrt(static_cast<double>(state.range(0)) / 2)));
+  const auto at = [&](std::uint32_t i, std::uint32_t j) {
+    const double x = 1.0 * i / k, y = 1.0 * j / k;
+    return Point3{x, y, 0.5 + 0.1 * std::sin(6 * x) * std::cos(5 * y) + 0.02 / k * ((i * 7 + j * 13) % 5)};
+  };
+  std::vector<ConvexBlocker> parts;
+  for (std::uint32_t i = 0; i < k; ++i) {
+    for (std::uint32_t j = 0; j < k; ++j) {
+      parts.push_back(ConvexPolygon::from_points({at(i, j), at(i + 1, j), at(i + 1, j + 1)}));
+      parts.push_back(ConvexPolygon::from_points({at(i, j), at(i + 1, j + 1), at(i, j + 1)}));
+    }
+  }
+  const Light sun = DirectionalLight{{0.3, 0.2, -1}};
+  for (auto _ : state) benchmark::DoNotOptimize(merged_occlusion(sun, parts, {{-1, -1, -1}, {2, 2, 1.5}}));
+}
+
+/// n solids far apart under the same sun.
+void merged_boxes(benchmark::State& state) {
+  const auto k = static_cast<int>(std::lround(std::sqrt(static_cast<double>(state.range(0)))));
+  std::vector<ConvexBlocker> parts;
+  for (int i = 0; i < k * k; ++i) {
+    std::vector<Point3> corners;
+    for (int c = 0; c < 8; ++c) {
+      corners.push_back({3.0 * (i % k) + c % 2, 3.0 * (i / k) + c / 2 % 2 + 0.1 * (c % 2), c / 4 + 0.05 * (i % k)});
+    }
+    parts.push_back(ConvexSolid::hull_of(corners));
+  }
+  const Light sun = DirectionalLight{{0.3, 0.2, -1}};
+  for (auto _ : state) benchmark::DoNotOptimize(merged_occlusion(sun, parts, {{-1, -1, -1}, {3.0 * k, 3.0 * k, 9}}));
+}
+
+BENCHMARK(merged_ground)->Name("merged/ground")->Arg(98)->Arg(2048)->Unit(benchmark::kMillisecond);
+BENCHMARK(merged_boxes)->Name("merged/boxes")->Arg(100)->Arg(2025)->Unit(benchmark::kMillisecond);
 BENCHMARK(meshes)->Name("volume_mesh/polygons")->Arg(3)->Arg(4)->Arg(16)->Arg(64)->Arg(256)->Arg(1024);
 BENCHMARK(meshes_of_aligned_squares)->Name("volume_mesh/aligned_squares");
 BENCHMARK(solid)->Name("volume_mesh/solid")->Arg(100)->Arg(1000);
@@ -70,6 +105,10 @@ BENCHMARK(parts_of_a_mesh)->Name("volume_mesh/triangles_of_a_mesh")->Arg(5000)->
   add_ratio({"volume_mesh/solid/1000", plain, 0.000136, 5, "ms for both meshes of a solid of 1,000 facets, likewise"});
   add_ratio({"volume_mesh/triangles_of_a_mesh/5000", plain, 0.000000136, 1,
              "s for both meshes of each of 5,000 triangles, likewise"});
+  add_ratio({"merged/ground/2048", "merged/ground/98", 1, std::pow(2048.0 / 98, 1.3),
+             "occlusions of 2,048 triangles of a ground as one, in units of 98 ((2048/98)^1.3 = 52)"});
+  add_ratio({"merged/boxes/2025", "merged/boxes/100", 1, std::pow(20.25, 1.3),
+             "those of 2,025 solids far apart, in units of 100 (20.25^1.3 = 50)"});
   add_ratio({"extremal_planes/convex_hull_3/4", polygons + "4", 1, 0, "convex_hull_3 of the occlusion alone, 4/4"});
   add_ratio({"extremal_planes/convex_hull_3/64", polygons + "64", 1, 0, "the same, 64/64"});
   return true;

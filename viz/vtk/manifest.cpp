@@ -86,7 +86,8 @@ Json pair_json(const PlanarPairResult& pair) {
 Json merged_json(const std::vector<MergedResult>& merged) {
   Json json = {
       {"note",
-       "Occlusion volumes are united over the parts of a blocker. Umbrae are not: parts that each hide only some "
+       "Occlusion volumes are united over the parts of a blocker, or of all blockers. Umbrae are not: parts that each "
+       "hide only some "
        "of the light may hide all of it together, so the umbra of the whole is more than the union of umbrae."},
       {"blockers", Json::array()}};
   for (const MergedResult& result : merged) {

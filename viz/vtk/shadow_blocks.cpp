@@ -65,13 +65,20 @@ void append_merged(std::vector<Block>& blocks, const ShadowResult& result, const
   common.light_id = static_cast<std::int32_t>(merged.light_id);
   common.blocker_id = static_cast<std::int32_t>(merged.blocker_id);
   const VolumeMesh& mesh = merged.occlusion.mesh;
+  std::vector<std::uint32_t> facet_blockers;
+  if (!merged.part_blockers.empty()) {
+    for (const std::uint32_t part : merged.occlusion.facet_part) {
+      facet_blockers.push_back(merged.part_blockers[part]);
+    }
+  }
   ShadowSurface surface;
-  surface.add(mesh, common);
+  surface.add(mesh, common, facet_blockers);
   Fields fields = pair_fields(result, merged.light, merged.blocker, mesh.truncated);
   fields.push_back({"volume_total", std::vector<double>{mesh.volume.nearest}});
   fields.push_back({"volume_exact", std::vector<std::string>{mesh.volume.exact}});
   const auto& parts = merged.occlusion.facet_part;
   fields.push_back({"facet_part", std::vector<std::int32_t>(parts.begin(), parts.end())});
+  fields.push_back({"part_names", merged.part_names});
   append_block(
       blocks,
       {{"volumes", merged.light, merged.blocker, "occlusion_merged"}, "volume", std::move(fields), surface.data()});

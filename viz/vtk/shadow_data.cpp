@@ -62,11 +62,12 @@ CellName volume_cell(const PairResult& pair, std::string_view volume) {
   return cell;
 }
 
-void ShadowSurface::add(const VolumeMesh& mesh, const CellName& common) {
+void ShadowSurface::add(const VolumeMesh& mesh, const CellName& common, std::span<const std::uint32_t> facet_blockers) {
   const auto first_point = static_cast<vtkIdType>(points_.size());
   for (const MeshTriangle& triangle : mesh.triangles) {
     insert_cell(*polygons_, triangle.vertices, first_point);
     names_.push_back(with_facet(common, mesh.facets[triangle.facet], facet_count_ + triangle.facet));
+    if (!facet_blockers.empty()) names_.back().blocker_id = static_cast<std::int32_t>(facet_blockers[triangle.facet]);
     parts_.push_back(part_count_);
   }
   append(points_, mesh.vertices);

@@ -6,6 +6,7 @@
 #include <vtkSmartPointer.h>
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -20,8 +21,9 @@ CellName volume_cell(const PairResult& pair, std::string_view volume);
 /// Triangles and polygons of one pair, or of several that are put into one block, one after the other.
 class ShadowSurface {
  public:
-  /// Adds a volume's surface. The facets of later parts are numbered on.
-  void add(const VolumeMesh& mesh, const CellName& common);
+  /// Adds a volume's surface. The facets of later parts are numbered on. Where facets are of several blockers, these
+  /// are given one by one.
+  void add(const VolumeMesh& mesh, const CellName& common, std::span<const std::uint32_t> facet_blockers = {});
 
   /// Adds one polygon for every plane that the box does not miss.
   void add(const std::vector<PlanePolygon>& planes, const CellName& common);

@@ -40,6 +40,12 @@ std::vector<Law> reflection_laws();
 /// Mistakes in what is reflected; all_mutants() has them too.
 std::vector<Mutant> reflection_mutants();
 
+/// LL1 to LL3: how blockers are found that may hide a linear light.
+std::vector<Law> search_laws();
+
+/// Mistakes in that; all_mutants() has them too.
+std::vector<Mutant> search_mutants();
+
 /// The laws about many blockers in space.
 std::vector<Law> sight_laws();
 

@@ -49,6 +49,12 @@ bool holds(const Walls& blocker, const ExactVector& p) {
   return std::ranges::all_of(blocker, [&](const ExactPlane& wall) { return wall.side(p) <= 0; });
 }
 
+bool meet(const std::vector<ExactVector>& polygon, const Walls& blocker) {
+  Polygon common = polygon;
+  for (const ExactPlane& wall : blocker) common = below(wall, common);
+  return !common.empty();
+}
+
 bool meet_measurably(const Light& light, const Walls& blocker) {
   Polygon common = vertices_of(light);
   for (const ExactPlane& wall : blocker) common = below(wall, common);

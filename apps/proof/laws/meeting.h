@@ -15,6 +15,10 @@ std::vector<ExactVector> vertices_of(const ConvexBlocker& blocker);
 /// True if the point is one of the blocker's.
 bool holds(const Walls& blocker, const ExactVector& p);
 
+/// True if the blocker has a point in the convex polygon, which may have shrunk to a segment or a point. Both are
+/// closed.
+bool meet(const std::vector<ExactVector>& polygon, const Walls& blocker);
+
 /// True if the light meets the blocker in a part that can be measured: an area of a polygon, a length of a segment, a
 /// point light itself.
 ///

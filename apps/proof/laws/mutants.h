@@ -18,6 +18,8 @@ enum class Part {
   discontinuity_surfaces,
   divided_receiver,
   reflection,
+  found_occluders,
+  searched_visibility,
   planar_extremal_lines,
   planar_regions,
   planar_region_of,

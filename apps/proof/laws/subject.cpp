@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/visibility/fast_linear_visibility.h"
+
 namespace gnomon::laws {
 
 DividedReceiver divided_receiver(const Light& light, const std::vector<ConvexBlocker>& blockers,
@@ -19,6 +21,34 @@ DividedReceiver divided_receiver(const Light& light, const std::vector<ConvexBlo
                          std::move(drawing.triangles), mesh.arcs()};
   for (const MeshFace& face : mesh.faces()) result.faces.push_back(face.region);
   return result;
+}
+
+FoundOccluders found_occluders(const LinearLight& light, const std::vector<ConvexBlocker>& blockers,
+                               const LinearSearch& search, const std::vector<Point3>& points) {
+  FastLinearVisibility visibility(light, BlockerSet(blockers), search);
+  FoundOccluders found;
+  for (const Point3& p : points) {
+    const auto occluders = visibility.occluders(p);
+    if (occluders) {
+      found.emplace_back(std::in_place, occluders->begin(), occluders->end());
+    } else {
+      found.emplace_back();
+    }
+  }
+  return found;
+}
+
+std::vector<Visibility> searched_visibility(const LinearLight& light, const std::vector<ConvexBlocker>& blockers,
+                                            const LinearSearch& search, const std::vector<Point3>& points,
+                                            const Point3& normal) {
+  const PreparedObstacles obstacles({blockers, {}});
+  LightVisibility visibility(light, obstacles, search);
+  std::vector<Visibility> seen;
+  for (const Point3& p : points) {
+    seen.push_back(visibility.at(p));
+    seen.push_back(visibility.received(resting_point(obstacles, p, normal)));
+  }
+  return seen;
 }
 
 }  // namespace gnomon::laws

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <functional>
+#include <optional>
+#include <vector>
 
 #include "gnomon/discontinuity.h"
 #include "gnomon/flatland_pair.h"
@@ -27,6 +30,17 @@ struct DividedReceiver {
 /// A receiver, divided by what it receives of a light.
 DividedReceiver divided_receiver(const Light& light, const std::vector<ConvexBlocker>& blockers,
                                  const ConvexPolygon& receiver);
+
+/// For each point the blockers that a search finds as perhaps hiding a linear light; nothing where it is not asked.
+using FoundOccluders = std::vector<std::optional<std::vector<std::uint32_t>>>;
+
+FoundOccluders found_occluders(const LinearLight& light, const std::vector<ConvexBlocker>& blockers,
+                               const LinearSearch& search, const std::vector<Point3>& points);
+
+/// What points see of a linear light with such a search, those of receivers with the normal.
+std::vector<Visibility> searched_visibility(const LinearLight& light, const std::vector<ConvexBlocker>& blockers,
+                                            const LinearSearch& search, const std::vector<Point3>& points,
+                                            const Point3& normal);
 
 /// The functions the laws are about, as values: a test may pass a broken one to see that a law catches it.
 struct Subject {
@@ -57,6 +71,12 @@ struct Subject {
       reflection =
           [](const Light& light, const Obstacles& obstacles, const gnomon::View& view, ReflectionModel model,
              int exponent) { return LightReflection(light, PreparedObstacles(obstacles)).at(view, model, exponent); };
+  std::function<FoundOccluders(const LinearLight&, const std::vector<ConvexBlocker>&, const LinearSearch&,
+                               const std::vector<Point3>&)>
+      found_occluders = laws::found_occluders;
+  std::function<std::vector<Visibility>(const LinearLight&, const std::vector<ConvexBlocker>&, const LinearSearch&,
+                                        const std::vector<Point3>&, const Point3& normal)>
+      searched_visibility = laws::searched_visibility;
 };
 
 }  // namespace gnomon::laws

@@ -7,6 +7,7 @@
 #include "apps/proof/report/hard_case_trial.h"
 #include "apps/proof/report/measurement.h"
 #include "apps/proof/report/rotation.h"
+#include "apps/proof/report/search_tables.h"
 #include "apps/proof/report/sight_tasks.h"
 #include "apps/proof/report/table_one.h"
 #include "apps/proof/report/timings.h"
@@ -22,6 +23,8 @@ struct Report {
   std::vector<HardCaseResult> hard_cases;
   std::vector<RotationResult> rotations;
   std::vector<TableOneRow> table_one;
+  std::vector<SearchRow> searches;
+  std::vector<MeshedBoardRow> meshed_board;
 };
 
 /// A file, by its name relative to the report's folder.

@@ -91,6 +91,22 @@ ordered_json entry(const TableOneRow& row) {
           {"points_at_1000", row.points_at_1000}};
 }
 
+ordered_json entry(const SearchRow& row) {
+  ordered_json json = {{"scene", row.scene}, {"search", name(row.search.strategy)}};
+  if (row.search.parts > 0) json["parts"] = row.search.parts;
+  json.update({{"blockers", row.blockers},
+               {"references", row.references},
+               {"needed", row.needed},
+               {"candidates", row.candidates},
+               {"visited", row.visited},
+               {"ns", 1e9 * row.seconds}});
+  return json;
+}
+
+ordered_json entry(const MeshedBoardRow& row) {
+  return {{"triangles", row.triangles}, {"hidden_by_one", row.share}};
+}
+
 ordered_json entry(const Equivalent& e) {
   return {{"task", e.task}, {"method", e.method}, {"blockers", e.size}, {"samples", e.samples}, {"rms", e.rms}};
 }
@@ -115,6 +131,8 @@ TextFile report_json(const Report& report) {
   document["equivalent_point_lights"] = list(equivalents(report.measurements));
   document["rotation"] = list(report.rotations);
   document["table_one"] = list(report.table_one);
+  document["linear_searches"] = list(report.searches);
+  document["meshed_board"] = list(report.meshed_board);
   return {"report.json", document.dump(1) + '\n'};
 }
 

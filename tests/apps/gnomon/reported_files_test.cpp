@@ -286,17 +286,12 @@ TEST_F(ReportedFiles, OfABuildingOnAMillimetreGridAreUsedAsTriangles) {
   EXPECT_EQ(points[2]["lights"][0]["region"], "lit") << "on the side of the sun";
 }
 
-TEST_F(ReportedFiles, OfNewcomersAreReadWithDoubtsOrRefusedAsNotAvailable) {
+TEST_F(ReportedFiles, OfNewcomersAreReadWithDoubts) {
   const std::string folder = reports + "newcomers/";
   EXPECT_THAT(doubts(folder + "degen.scene.json"), AllOf(HasSubstr("no area"), HasSubstr("line 5")));
   EXPECT_THAT(doubts(folder + "nonplanar.scene.json"), AllOf(HasSubstr("bent"), HasSubstr("0.0009")));
   EXPECT_THAT(doubts(folder + "mat.scene.json"), AllOf(HasSubstr("\\\"light\\\""), HasSubstr("emit light")));
   EXPECT_EQ(gnomon("check " + folder + "room_hole.scene.json").code, 0);
-  for (const std::string scene : {"mesh_light", "concave_light"}) {
-    const Outcome run = gnomon("check " + folder + scene + ".scene.json");
-    EXPECT_EQ(run.code, 4) << scene;
-    EXPECT_THAT(run.err, AllOf(HasSubstr("/lights/0"), HasSubstr("not available in this version")));
-  }
 }
 
 TEST_F(ReportedFiles, GiveTheSameIrradianceInMetresAndMillimetres) {

@@ -235,6 +235,44 @@ TEST_F(ShadowCommand, MergeUnitesTheOcclusionsOfAConcaveBlockerAndSaysWhyUmbraeA
   EXPECT_EQ(std::count_if(manifest.at("blocks").begin(), manifest.at("blocks").end(), is_merged), 1);
 }
 
+TEST_F(ShadowCommand, MergeAllUnitesTheOcclusionsOfAllBlockersOfALightWhichKeepTheirNames) {
+  const std::string half = R"({"name": "half", "shape": "polygon", "vertices": [[1,1,2], [3,1,2], [3,3,2], [1,3,2]]})";
+  std::string scene = angle_scene;
+  scene.insert(scene.rfind("]"), ", " + half);
+  write("both.scene.json", scene);
+  const std::string rest = " --box -9,-9,0,9,9,9 --out shadows --json result.json";
+  for (const std::string options :
+       {"both.scene.json --merge all", "--merge=all both.scene.json", "--merge all both.scene.json"}) {
+    const Outcome run = gnomon("shadow " + options + rest);
+    EXPECT_EQ(run.code, 0) << run.err;
+    const nlohmann::json merged = read_json("result.json").at("merged");
+    ASSERT_EQ(merged.size(), 1u) << "one light";
+    EXPECT_EQ(merged[0].at("light"), "sun");
+    EXPECT_EQ(merged[0].at("blocker"), "all#blockers");
+    EXPECT_EQ(merged[0].at("parts"), read_json("result.json").at("pairs").size());
+    EXPECT_EQ(merged[0].at("exact"), "11") << "3 below the angle and 8 below the square, which do not overlap";
+  }
+  const nlohmann::json manifest = read_json("shadows/manifest.json");
+  EXPECT_TRUE(std::ranges::any_of(manifest.at("blocks"), [](const nlohmann::json& block) {
+    return block.at("path") == nlohmann::json{"volumes", "sun", "all#blockers", "occlusion_merged"};
+  }));
+}
+
+TEST_F(ShadowCommand, MergeTakesAScenesNameForNoWordOfItsOwn) {
+  write("angle.scene.json", angle_scene);
+  EXPECT_EQ(gnomon("shadow --merge angle.scene.json --json - ").code, 0);
+  const Outcome run = gnomon("shadow angle.scene.json --merge=every --json -");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("--merge=every: expected --merge or --merge all"));
+}
+
+TEST_F(ShadowCommand, MergeAllNamesALightThatHasUnsupportedPairs) {
+  write("bent.scene.json", bent_lamp_scene);
+  const Outcome run = gnomon("shadow bent.scene.json --merge all --json -");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_THAT(run.err, HasSubstr("light 'lamp' is left out"));
+}
+
 TEST_F(ShadowCommand, WithoutMergePartsAreWrittenOneByOne) {
   write("angle.scene.json", angle_scene);
   EXPECT_EQ(gnomon("shadow angle.scene.json --out shadows").code, 0);

@@ -37,6 +37,8 @@ json counts_and_errors(json document) {
       for (const char* key : {"ns", "ns_least", "ns_most", "bytes"}) entry.erase(key);
     }
   }
+  EXPECT_EQ(document.at("linear_searches").size(), 32u);
+  for (json& row : document.at("linear_searches")) row.erase("ns");
   EXPECT_EQ(document.at("table_one").size(), 10u);
   for (json& row : document.at("table_one")) {
     for (const char* key : {"pixel_ns", "constant", "per_point", "equal", "rms"}) row.erase(key);
@@ -99,6 +101,25 @@ void expect_sampling_to_converge(const json& measurements) {
   }
 }
 
+/// Of every search on both scenes: at least what is needed; about the light hardly more.
+void expect_searches_to_find_what_is_needed(const json& rows) {
+  for (const json& row : rows) {
+    const double needed = row["needed"], found = row["candidates"];
+    EXPECT_GE(found, needed) << row;
+    EXPECT_LE(found, row["blockers"].get<double>()) << row;
+    if (row["search"] == "light_hierarchy" && row["scene"] == "tetrahedron") {
+      EXPECT_LE(found, 1.2 * needed);
+    }
+  }
+}
+
+/// A board's umbra is found by ever fewer of its single triangles.
+void expect_umbrae_of_pieces_to_shrink(const json& rows) {
+  ASSERT_EQ(rows.size(), 6u);
+  EXPECT_EQ(rows[0]["hidden_by_one"], 1);
+  for (std::size_t k = 1; k < rows.size(); ++k) EXPECT_LT(rows[k]["hidden_by_one"], rows[k - 1]["hidden_by_one"]);
+}
+
 std::set<std::string> methods_of_task(const json& measurements, const std::string& task) {
   std::set<std::string> methods;
   for (const json& m : measurements) {
@@ -123,6 +144,8 @@ TEST_F(ReportCommand, QuickReportClaimsNothingWrongAndAgreesWithTheNext) {
   const json& measurements = document["speed_vs_error"];
   expect_bounds_kept(measurements);
   expect_sampling_to_converge(measurements);
+  expect_searches_to_find_what_is_needed(document["linear_searches"]);
+  expect_umbrae_of_pieces_to_shrink(document["meshed_board"]);
   for (const char* task : {"visible_fraction", "irradiance"}) {
     EXPECT_THAT(methods_of_task(measurements, task),
                 IsSupersetOf({"exact", "gnomon", "plain_doubles", "polygon_set_2", "embree_regular", "embree_jittered",

@@ -144,19 +144,34 @@ TEST(SceneReader, TakesBentLightsAndReceiversAsTrianglesAndConcaveReceiversAsCon
   EXPECT_THAT(names, ElementsAre("roof#0", "roof#1", "yard#0", "yard#1"));
 }
 
-TEST(SceneReader, TellsLightsThatAreNotAvailableFromMistakes) {
-  const auto read = [](const std::string& light) {
-    parse_scene(R"({"gnomon": 1, "dimension": 3, "blockers": [], "lights": [{"name": "lamp", )" + light + "}]}", "test",
-                {});
+TEST(SceneReader, TakesAConcaveLightAsItsConvexParts) {
+  const auto lights = [](const std::string& light) {
+    const Scene scene = parse_scene(
+        R"({"gnomon": 1, "dimension": 3, "blockers": [], "lights": [{"name": "lamp", )" + light + "}]}", "test", {});
+    return std::get<SpaceScene>(scene).lights;
   };
-  EXPECT_THROW(read(R"("shape": "mesh", "file": "lamp.obj")"), UnsupportedSceneError);
-  EXPECT_THROW(read(R"("shape": "concave_polygon", "vertices": [])"), UnsupportedSceneError);
-  EXPECT_THROW(read(R"("shape": "polygon", "vertices": [[0,0,0],[4,0,0],[1,1,0],[0,4,0]])"), UnsupportedSceneError);
+  for (const char* shape : {"polygon", "concave_polygon"}) {
+    const auto parts = lights(R"("shape": ")" + std::string(shape) +
+                              R"(", "radiance": 3, "vertices": [[0,0,0],[4,0,0],[1,1,0],[0,4,0]])");
+    ASSERT_EQ(parts.size(), 2u);
+    for (std::size_t k = 0; k < 2; ++k) {
+      EXPECT_EQ(parts[k].name, "lamp#" + std::to_string(k));
+      EXPECT_EQ(parts[k].element, "lamp");
+      EXPECT_EQ(parts[k].form, shape);
+      EXPECT_EQ(parts[k].strength, 3);
+      EXPECT_TRUE(parts[k].is_part());
+    }
+  }
+  EXPECT_EQ(lights(R"("shape": "polygon", "vertices": [[0,0,0],[9,0,0],[9,9,0],[0,9,0]],
+                      "holes": [[[3,3,0],[6,3,0],[6,6,0],[3,6,0]]])")
+                .size(),
+            4u);
+  const auto whole = lights(R"("shape": "polygon", "vertices": [[0,0,0],[4,0,0],[0,4,0]])");
+  ASSERT_EQ(whole.size(), 1u);
+  EXPECT_FALSE(whole[0].is_part());
   try {
-    read(R"("shape": "polygon", "vertices": [[0,0,0],[4,4,0],[4,0,0],[0,4,0]])");
+    lights(R"("shape": "polygon", "vertices": [[0,0,0],[4,4,0],[4,0,0],[0,4,0]])");
     FAIL() << "accepted";
-  } catch (const UnsupportedSceneError&) {
-    FAIL() << "taken for a concave light";
   } catch (const SceneError& error) {
     EXPECT_THAT(error.what(), HasSubstr("edges 0 and 2 meet"));
   }

@@ -237,6 +237,48 @@ TEST(MergedOcclusionDegenerate, FacetBetweenTwoPartsThatShareAnEdgeIsGone) {
   EXPECT_EQ(std::count(merged.facet_part.begin(), merged.facet_part.end(), 1u), 5);
 }
 
+/// k x k squares of a floor with the height 1, in rows; each second row is of halves, so that corners meet sides.
+std::vector<ConvexBlocker> tiles(int k) {
+  std::vector<ConvexBlocker> parts;
+  for (int y = 0; y < k; ++y) {
+    for (int x = 0; x < (y % 2 == 0 ? k : 2 * k); ++x) {
+      const double w = y % 2 == 0 ? 1 : 0.5, left = w * x;
+      parts.push_back(ConvexPolygon::from_points(
+          {{left, 1.0 * y, 1}, {left + w, 1.0 * y, 1}, {left + w, y + 1.0, 1}, {left, y + 1.0, 1}}));
+    }
+  }
+  return parts;
+}
+
+TEST(MergedOcclusionProperty, OfTilesThatTouchNoWallIsLeftInsideWhereverTheLightComesFrom) {
+  constexpr int k = 8;
+  const std::vector<ConvexBlocker> parts = tiles(k);
+  for (const Light& light : {Light(DirectionalLight{{0, 0, -1}}), Light(DirectionalLight{{0.3, 0.2, -1}}),
+                             Light(DirectionalLight{{1, -0.7, -0.1}}), Light(PointLight{{3.1, 2.7, 9}})}) {
+    const MergedOcclusion merged = merged_occlusion(light, parts, {{-30, -30, 0}, {30, 30, 5}});
+    EXPECT_TRUE(is_closed(merged.mesh));
+    // Of each tile a top and a floor, and what of its walls is the outside of all.
+    const std::size_t rows_of_whole = k / 2, rows_of_halves = k / 2;
+    const std::size_t outside = k + 2 * k + 2 * rows_of_whole + 2 * rows_of_halves;
+    EXPECT_EQ(merged.mesh.facets.size(), 2 * parts.size() + outside);
+    if (std::holds_alternative<DirectionalLight>(light)) {
+      EXPECT_EQ(merged.mesh.volume.exact, "64");
+    }
+  }
+}
+
+TEST(MergedOcclusionProperty, OfPartsFarApartIsTheSumOfTheirOcclusions) {
+  std::vector<ConvexBlocker> parts;
+  Rational sum = 0;
+  const Light lamp = AreaLight{ConvexPolygon::from_points({{40, 40, 60}, {40, 41, 60}, {41, 41, 60}, {41, 40, 60}})};
+  const Box3 box{{-50, -50, 0}, {150, 150, 70}};
+  for (int i = 0; i < 49; ++i) {
+    parts.push_back(square(10.0 * (i % 7), 10.0 * (i / 7), 1));
+    sum += common_volume({lamp, {parts.back()}, box}, {0});
+  }
+  EXPECT_EQ(merged_occlusion(lamp, parts, box).mesh.volume.exact, exact_number(sum).exact);
+}
+
 TEST(MergedOcclusionDegenerate, PartGivenTwiceIsUnitedOnceAndNamedByTheFirst) {
   const std::vector<ConvexBlocker> parts = {square(0, 0, 1), square(0, 0, 1)};
   const MergedOcclusion merged = merged_occlusion(from_above, parts, unit_high);

@@ -41,7 +41,7 @@ struct FarAway {
     facets = cylinder(sides, material);
     add_vertex_normals(facets, {normals});
     shaded.lights.push_back(&scene.lights[0]);
-    lights.emplace_back(scene.lights[0], shaded.obstacles, 0);
+    lights.emplace_back(scene.lights[0], shaded.obstacles, ImageOptions{});
   }
 
   /// Halfway up the first facet, at an angle from its middle; of a facet that is flat or not.

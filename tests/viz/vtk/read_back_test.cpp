@@ -4,6 +4,7 @@
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
+#include <vtkPoints.h>
 
 #include <bit>
 #include <cmath>
@@ -13,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "gnomon/shadow_mesh.h"
 #include "gnomon/writer.h"
 #include "tests/viz/sample_result.h"
 #include "tests/viz/temporary_folder.h"
@@ -75,6 +77,30 @@ TEST_F(WrittenShadow, HoldsTheSameBlocksAsAPartitionedCollection) {
   write(SampleResult(), OutputFormat::vtpc);
   expect_blocks_of_the_manifest();
   EXPECT_EQ(field_text(tree_.fields, "scene"), "sample.scene.json");
+}
+
+TEST_F(WrittenShadow, OfAllBlockersTogetherTellsTheBlockerOfEveryFacet) {
+  SampleResult sample;
+  MergedResult all{0, 0, "lamp", std::string(MergedResult::all_blockers), {}, {"table", "post"}, {0, 1}};
+  const Light sun = DirectionalLight{{0, 0, -1}};
+  const auto square = [](double x) {
+    return ConvexBlocker(ConvexPolygon::from_points({{x, 0, 1}, {x + 1, 0, 1}, {x + 1, 1, 1}, {x, 1, 1}}));
+  };
+  const std::vector<ConvexBlocker> parts{square(0), square(3)};
+  all.occlusion = merged_occlusion(sun, parts, {{-9, -9, 0}, {9, 9, 9}});
+  sample.result().merged.push_back(all);
+  write(sample);
+  expect_blocks_of_the_manifest();
+  vtkPointSet& merged = block("volumes/lamp/all#blockers/occlusion_merged");
+  EXPECT_TRUE(is_closed_surface(merged));
+  EXPECT_NEAR(enclosed_volume(merged), 2, 1e-12);
+  std::map<int, int> cells;
+  for (vtkIdType c = 0; c < merged.GetNumberOfCells(); ++c) {
+    const int blocker = static_cast<int>(cell_value(merged, "blocker_id", c));
+    EXPECT_EQ(blocker, merged.GetCell(c)->GetPoints()->GetPoint(0)[0] > 2 ? 1 : 0);
+    ++cells[blocker];
+  }
+  EXPECT_THAT(cells, ElementsAre(testing::Pair(0, 12), testing::Pair(1, 12)));
 }
 
 TEST_F(WrittenShadow, ListsEmptyBlocksInTheManifestOnly) {
