@@ -3,20 +3,13 @@
 #include <algorithm>
 #include <utility>
 
-#include "geometry/bodies/polygon_checks.h"
+#include "geometry/bodies/plate.h"
 
 namespace gnomon {
 namespace {
 
 std::vector<Point3> reversed(std::span<const Point3> points) {
   return {points.rbegin(), points.rend()};
-}
-
-/// Of a thin solid the polygon that it stands for; nothing of others.
-std::vector<Point3> plate_of(const ConvexSolid& solid) {
-  const auto plane = polygon_plane(solid.points());
-  if (!plane || plane->flatness > Flatness::rounded || ConvexPolygon::defect(solid.points())) return {};
-  return {solid.points().begin(), solid.points().end()};
 }
 
 void add_plate(ViewSurfaces& surfaces, const std::string& name, std::span<const Point3> ring, bool is_closed) {
@@ -60,7 +53,7 @@ ViewSurfaces blocker_surfaces(const SpaceScene& scene, const SceneBodies& bodies
       continue;
     }
     const auto& solid = std::get<ConvexSolid>(part);
-    const std::vector<Point3> plate = plate_of(solid);
+    const std::vector<Point3> plate = plate_ring(solid);
     plate.empty() ? add_facets(surfaces, bodies.names[b], solid)
                   : add_plate(surfaces, bodies.names[b], plate, is_closed);
   }

@@ -2,23 +2,13 @@
 
 #include <algorithm>
 
-#include "geometry/bodies/polygon_checks.h"
+#include "geometry/bodies/plate.h"
 
 namespace gnomon {
-namespace {
-
-/// True of the thin solid between vertices that are coplanar but for rounding.
-bool stands_for_polygon(const ConvexSolid& solid) {
-  const auto plane = polygon_plane(solid.points());
-  return plane && plane->flatness <= Flatness::rounded;
-}
-
-}  // namespace
-
 OwnBlockers::OwnBlockers(std::span<const ConvexBlocker> blockers) {
   for (std::uint32_t b = 0; b < blockers.size(); ++b) {
     const auto* solid = std::get_if<ConvexSolid>(&blockers[b]);
-    if (!solid || !stands_for_polygon(*solid)) continue;
+    if (!solid || plate_ring(*solid).empty()) continue;
     for (const Point3& p : solid->points()) {
       std::vector<std::uint32_t>& solids = solids_at_[{p.x + 0.0, p.y + 0.0, p.z + 0.0}];
       if (solids.empty() || solids.back() != b) solids.push_back(b);

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <utility>
 
+#include "geometry/bodies/plate.h"
 #include "geometry/bodies/polygon_checks.h"
 #include "geometry/numbers/orientation.h"
 #include "geometry/visibility/blocker_content.h"
@@ -12,10 +14,10 @@ namespace {
 using Content = BlockerSet::Content;
 
 /// The corners of the polygon that a thin solid stands for whose vertices were rounded off their plane; none of others.
-std::vector<Point3> rounded_polygon(const ConvexSolid& solid) {
-  const auto plane = polygon_plane(solid.points());
-  if (!plane || plane->flatness > Flatness::rounded || ConvexPolygon::defect(solid.points())) return {};
-  const ConvexPolygon polygon = ConvexPolygon::from_points({solid.points().begin(), solid.points().end()});
+std::vector<Point3> plate_corners(const ConvexSolid& solid) {
+  std::vector<Point3> ring = plate_ring(solid);
+  if (ring.empty()) return {};
+  const ConvexPolygon polygon = ConvexPolygon::from_points(std::move(ring));
   std::vector<Point3> corners;
   for (const std::uint32_t i : polygon.corners()) corners.push_back(polygon.points()[i]);
   return corners;
@@ -28,7 +30,7 @@ bool any_facet(const Content& content, std::uint32_t blocker, Look look) {
   const Content::Shape& shape = content.shapes[blocker];
   if (shape.solid < 0) return look(content.corners(shape), false);
   const ConvexSolid& solid = content.solids[static_cast<std::size_t>(shape.solid)];
-  std::vector<Point3> corners = rounded_polygon(solid);
+  std::vector<Point3> corners = plate_corners(solid);
   if (!corners.empty()) return look(std::span<const Point3>(corners), false);
   return std::any_of(solid.facets().begin(), solid.facets().end(), [&](const ConvexSolid::Facet& facet) {
     corners.clear();
