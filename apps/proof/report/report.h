@@ -8,6 +8,7 @@
 #include "apps/proof/report/measurement.h"
 #include "apps/proof/report/rotation.h"
 #include "apps/proof/report/search_tables.h"
+#include "apps/proof/report/shadow_bsp.h"
 #include "apps/proof/report/sight_tasks.h"
 #include "apps/proof/report/table_one.h"
 #include "apps/proof/report/timings.h"
@@ -25,6 +26,7 @@ struct Report {
   std::vector<TableOneRow> table_one;
   std::vector<SearchRow> searches;
   std::vector<MeshedBoardRow> meshed_board;
+  BoxesResult boxes;
 };
 
 /// A file, by its name relative to the report's folder.

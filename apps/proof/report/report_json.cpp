@@ -107,6 +107,11 @@ ordered_json entry(const MeshedBoardRow& row) {
   return {{"triangles", row.triangles}, {"hidden_by_one", row.share}};
 }
 
+ordered_json entry(const BspRow& row) {
+  return {
+      {"tree", row.tree}, {"volumes", row.volumes}, {"nodes", row.nodes}, {"height", row.height}, {"path", row.path}};
+}
+
 ordered_json entry(const Equivalent& e) {
   return {{"task", e.task}, {"method", e.method}, {"blockers", e.size}, {"samples", e.samples}, {"rms", e.rms}};
 }
@@ -133,6 +138,7 @@ TextFile report_json(const Report& report) {
   document["table_one"] = list(report.table_one);
   document["linear_searches"] = list(report.searches);
   document["meshed_board"] = list(report.meshed_board);
+  document["shadow_trees"] = list(report.boxes.trees);
   return {"report.json", document.dump(1) + '\n'};
 }
 
