@@ -11,15 +11,15 @@
 namespace gnomon::report {
 namespace {
 
-using Facet = std::vector<Point3>;
+using BoxFacet = std::vector<Point3>;
 
 /// The six faces of a box on the floor, seen from outside: a corner, two sides of its base, its height.
-void add_box(const Point3& at, const Point3& u, const Point3& v, double height, std::vector<Facet>& facets) {
+void add_box(const Point3& at, const Point3& u, const Point3& v, double height, std::vector<BoxFacet>& facets) {
   const auto corner = [&](int i, int j, double z) {
     return Point3{at.x + i * u.x + j * v.x, at.y + i * u.y + j * v.y, z};
   };
   const std::array<std::array<int, 2>, 4> round = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
-  Facet top, bottom;
+  BoxFacet top, bottom;
   for (std::size_t k = 0; k < 4; ++k) {
     const auto [i, j] = round[k];
     const auto [m, n] = round[(k + 1) % 4];
@@ -39,7 +39,7 @@ struct Boxes {
 };
 
 Boxes boxes_scene() {
-  std::vector<Facet> facets;
+  std::vector<BoxFacet> facets;
   add_box({1.5, 5.5, 0}, {3, 0, 0}, {0, 2.5, 0}, 1, facets);
   add_box({7, 6, 0}, {1.5, 2, 0}, {-2, 1.5, 0}, 4, facets);
   add_box({5.5, 2, 0}, {1.5, 0, 0}, {0, 1.5, 0}, 1.5, facets);
@@ -48,15 +48,15 @@ Boxes boxes_scene() {
               {},
               ConvexPolygon::from_points({{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}})};
   for (std::size_t first = 0; first < facets.size(); first += 6) {
-    Facet corners = facets[first + 4];
+    BoxFacet corners = facets[first + 4];
     corners.insert(corners.end(), facets[first + 5].begin(), facets[first + 5].end());
     scene.boxes.push_back(ConvexSolid::hull_of(corners));
   }
-  for (Facet& facet : facets) scene.facets.push_back(ConvexPolygon::from_points(std::move(facet)));
+  for (BoxFacet& facet : facets) scene.facets.push_back(ConvexPolygon::from_points(std::move(facet)));
   return scene;
 }
 
-std::vector<Point3> places(Effort effort) {
+std::vector<Point3> places_in_room(Effort effort) {
   Draws draws(1);
   std::vector<Point3> points;
   for (int i = effort == Effort::quick ? 200 : 2000; i > 0; --i) {
@@ -109,7 +109,7 @@ BspRow point_row(const Boxes& scene, const std::vector<Point3>& points) {
 
 BoxesResult boxes_trees(Effort effort) {
   const Boxes scene = boxes_scene();
-  const std::vector<Point3> points = places(effort);
+  const std::vector<Point3> points = places_in_room(effort);
   BoxesResult result;
   result.trees = {volume_row("occlusion", scene, &ShadowMeshes::occlusion, points),
                   volume_row("umbra", scene, &ShadowMeshes::umbra, points), point_row(scene, points)};

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "apps/proof/report/adaptive_rays.h"
 #include "apps/proof/report/hard_case_trial.h"
 #include "apps/proof/report/measurement.h"
 #include "apps/proof/report/rotation.h"
@@ -27,6 +28,7 @@ struct Report {
   std::vector<SearchRow> searches;
   std::vector<MeshedBoardRow> meshed_board;
   BoxesResult boxes;
+  std::vector<AdaptiveRow> adaptive;
 };
 
 /// A file, by its name relative to the report's folder.

@@ -112,6 +112,16 @@ ordered_json entry(const BspRow& row) {
       {"tree", row.tree}, {"volumes", row.volumes}, {"nodes", row.nodes}, {"height", row.height}, {"path", row.path}};
 }
 
+ordered_json entry(const AdaptiveRow& row) {
+  return {{"triangles", row.triangles},
+          {"start", row.start},
+          {"rays", row.rays},
+          {"rms", row.rms},
+          {"missed", row.missed},
+          {"stratified_rms", row.stratified_rms},
+          {"stratified_missed", row.stratified_missed}};
+}
+
 ordered_json entry(const Equivalent& e) {
   return {{"task", e.task}, {"method", e.method}, {"blockers", e.size}, {"samples", e.samples}, {"rms", e.rms}};
 }
@@ -139,6 +149,7 @@ TextFile report_json(const Report& report) {
   document["linear_searches"] = list(report.searches);
   document["meshed_board"] = list(report.meshed_board);
   document["shadow_trees"] = list(report.boxes.trees);
+  document["adaptive_rays"] = list(report.adaptive);
   return {"report.json", document.dump(1) + '\n'};
 }
 
