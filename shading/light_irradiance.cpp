@@ -129,7 +129,7 @@ class LightIrradiance::Work {
       : light_(std::move(light)),
         strength_(strength),
         obstacles_(std::move(obstacles)),
-        fast_(fast_level(light_, obstacles_, search)) {}
+        fast_(fast_level(light_, obstacles_, search, Trees::grown)) {}
 
   Irradiance answer(const ReceiverPoint& receiver, const Point3& normal) {
     const std::optional<Irradiance> fast = fast_answer(receiver, normal);

@@ -72,7 +72,9 @@ struct Reflected {
 class LightReflection::Work {
  public:
   Work(Light light, PreparedObstacles obstacles, const LinearSearch& search)
-      : light_(std::move(light)), obstacles_(std::move(obstacles)), fast_(fast_level(light_, obstacles_, search)) {}
+      : light_(std::move(light)),
+        obstacles_(std::move(obstacles)),
+        fast_(fast_level(light_, obstacles_, search, Trees::none)) {}
 
   std::size_t answers = 0, exact_answers = 0;
 

@@ -129,6 +129,8 @@ ExitCode report_command(Arguments arguments) {
   report.table_one = report::table_one(options.effort());
   report.searches = report::search_tables(options.effort());
   report.meshed_board = report::meshed_board(options.effort());
+  report.boxes = report::boxes_trees(options.effort());
+  report.adaptive = report::adaptive_rays(options.effort());
   report.hard_cases = hard_case_results(options, shown);
   report.rotations = report::rotation_results(options.effort());
   const std::vector<std::string> files = written(report, options.out, staged);

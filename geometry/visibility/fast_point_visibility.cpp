@@ -6,6 +6,7 @@
 
 #include "geometry/numbers/orientation.h"
 #include "geometry/visibility/blocker_content.h"
+#include "geometry/visibility/patient_shadow_tree.h"
 #include "geometry/visibility/receiver_candidates.h"
 
 namespace gnomon {
@@ -84,8 +85,24 @@ LineOfSight line_of_sight(const FastPointVisibility::SmallLight& light, const Po
 
 FastPointVisibility::FastPointVisibility(SmallLight light, BlockerSet blockers)
     : light_(light), blockers_(std::move(blockers)) {}
+FastPointVisibility::FastPointVisibility(SmallLight light, BlockerSet blockers, std::shared_ptr<PatientShadowTree> tree)
+    : light_(light), blockers_(std::move(blockers)), patient_(std::move(tree)) {}
+
+/// Threads count together, but not at every question, for they would wait for each other.
+std::optional<Region> FastPointVisibility::region_by_tree(const Point3& point) {
+  constexpr std::size_t told_at_once = 64;
+  if (!tree_ && patient_ && ++untold_ == told_at_once) {
+    tree_ = patient_->after(untold_);
+    untold_ = 0;
+  }
+  return tree_ ? tree_->region_from(point) : std::nullopt;
+}
 
 std::optional<Region> FastPointVisibility::region_from(const Point3& point, const ReceiverPoint* receiver) {
+  // Off all planes on its path a point is as all around it, so the limit from a receiver's front is no other.
+  if (!receiver || receiver->under.empty()) {
+    if (const std::optional<Region> region = region_by_tree(point)) return region;
+  }
   const BlockerSet::Content& content = blockers_.content();
   LineOfSight line = line_of_sight(light_, point);
   const bool in_range = is_in_range(point) && is_in_range(line.light) && content.largest <= sight::largest;

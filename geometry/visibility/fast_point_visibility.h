@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -12,6 +13,9 @@
 #include "gnomon/point.h"
 
 namespace gnomon {
+
+class PatientShadowTree;
+class ShadowTree;
 
 /// The fast level of visibility for a light without size: does the one line of sight to it meet a blocker?
 ///
@@ -25,6 +29,9 @@ class FastPointVisibility {
   using SmallLight = std::variant<PointLight, DirectionalLight>;
 
   FastPointVisibility(SmallLight light, BlockerSet blockers);
+  /// With a shadow tree of the same light and blockers, once that is built. It changes no answer, only who gives it:
+  /// where this level leaves a point to the exact one the tree may decide.
+  FastPointVisibility(SmallLight light, BlockerSet blockers, std::shared_ptr<PatientShadowTree> tree);
 
   /// Lit or umbra, or nothing if that is left to the exact level: the line of sight runs in a flat blocker's plane, the
   /// point is the light, or a coordinate exceeds 1e30.
@@ -40,11 +47,15 @@ class FastPointVisibility {
 
  private:
   std::optional<Region> region_from(const Point3& point, const ReceiverPoint* receiver);
+  std::optional<Region> region_by_tree(const Point3& point);
 
   SmallLight light_;
   BlockerSet blockers_;
   std::vector<std::uint32_t> candidates_;
   std::vector<int> sides_;  ///< of a solid's facets, on which the point lies
+  std::shared_ptr<PatientShadowTree> patient_;
+  const ShadowTree* tree_ = nullptr;
+  std::size_t untold_ = 0;  ///< questions that the patient tree has not been told of
 };
 
 }  // namespace gnomon

@@ -84,12 +84,31 @@ std::shared_ptr<const sight::OccluderIndex> PreparedObstacles::Content::occluder
   return index;
 }
 
-FastLevel fast_level(const Light& light, const PreparedObstacles& obstacles, const LinearSearch& search) {
-  const BlockerSet& blockers = obstacles.content().blockers;
-  if (const auto* point = std::get_if<PointLight>(&light)) return FastPointVisibility(*point, blockers);
-  if (const auto* sun = std::get_if<DirectionalLight>(&light)) return FastPointVisibility(*sun, blockers);
+std::shared_ptr<PatientShadowTree> PreparedObstacles::Content::shadow_tree(const ShadowTree::SmallLight& light) const {
+  const auto* sun = std::get_if<DirectionalLight>(&light);
+  const Point3 place = sun ? sun->direction : std::get<PointLight>(light).position;
+  const std::lock_guard lock(making_);
+  std::erase_if(planted_, [](const Planted& planted) { return planted.tree.expired(); });
+  for (const Planted& planted : planted_) {
+    if (planted.is_sun != (sun != nullptr) || planted.place != place) continue;
+    if (std::shared_ptr<PatientShadowTree> tree = planted.tree.lock()) return tree;
+  }
+  auto tree = std::make_shared<PatientShadowTree>(light, obstacles.blockers);
+  planted_.push_back({sun != nullptr, place, tree});
+  return tree;
+}
+
+FastLevel fast_level(const Light& light, const PreparedObstacles& obstacles, const LinearSearch& search, Trees trees) {
+  const PreparedObstacles::Content& content = obstacles.content();
+  const BlockerSet& blockers = content.blockers;
+  const auto small = [&](const ShadowTree::SmallLight& small_light) {
+    const bool grown = trees == Trees::grown;
+    return FastPointVisibility(small_light, blockers, grown ? content.shadow_tree(small_light) : nullptr);
+  };
+  if (const auto* point = std::get_if<PointLight>(&light)) return small(*point);
+  if (const auto* sun = std::get_if<DirectionalLight>(&light)) return small(*sun);
   if (const auto* linear = std::get_if<LinearLight>(&light)) {
-    return FastLinearVisibility(*linear, obstacles.content().occluders(*linear, search));
+    return FastLinearVisibility(*linear, content.occluders(*linear, search));
   }
   return FastVisibility(std::get<AreaLight>(light), blockers);
 }
@@ -97,7 +116,9 @@ FastLevel fast_level(const Light& light, const PreparedObstacles& obstacles, con
 class LightVisibility::Work {
  public:
   Work(Light light, PreparedObstacles obstacles, const LinearSearch& search)
-      : light_(std::move(light)), obstacles_(std::move(obstacles)), fast_(fast_level(light_, obstacles_, search)) {}
+      : light_(std::move(light)),
+        obstacles_(std::move(obstacles)),
+        fast_(fast_level(light_, obstacles_, search, Trees::grown)) {}
 
   template <class Looking>
   Visibility answer(const Looking& p) {

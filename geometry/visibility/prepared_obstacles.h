@@ -9,6 +9,7 @@
 #include "geometry/visibility/fast_linear_visibility.h"
 #include "geometry/visibility/fast_point_visibility.h"
 #include "geometry/visibility/fast_visibility.h"
+#include "geometry/visibility/patient_shadow_tree.h"
 #include "gnomon/visibility.h"
 
 namespace gnomon {
@@ -30,6 +31,9 @@ struct PreparedObstacles::Content {
   /// The blockers made ready for one linear light. Whoever asks for the same, on whatever thread, gets the same.
   std::shared_ptr<const sight::OccluderIndex> occluders(const LinearLight& light, const LinearSearch& search) const;
 
+  /// A shadow tree of all blockers under a light without size, shared likewise.
+  std::shared_ptr<PatientShadowTree> shadow_tree(const ShadowTree::SmallLight& light) const;
+
   Obstacles obstacles;
   BlockerSet blockers;
 
@@ -44,14 +48,25 @@ struct PreparedObstacles::Content {
   static const Point3& place_of(const ReceiverPoint& receiver) { return receiver.point; }
   bool may_enclose(const Point3& p) const;
 
+  struct Planted {
+    bool is_sun;
+    Point3 place;  ///< or direction
+    std::weak_ptr<PatientShadowTree> tree;
+  };
+
   std::vector<Box3> enclosures_;
   mutable std::mutex making_;
-  mutable std::vector<Made> made_;  ///< guarded by making_
+  mutable std::vector<Made> made_;        ///< guarded by making_
+  mutable std::vector<Planted> planted_;  ///< likewise
 };
 
 /// The fast level for any light.
 using FastLevel = std::variant<FastPointVisibility, FastLinearVisibility, FastVisibility>;
 
-FastLevel fast_level(const Light& light, const PreparedObstacles& obstacles, const LinearSearch& search);
+/// Whether lights without size may grow shadow trees: where it is told which level answered they must not, for that
+/// would depend on when a tree is ready.
+enum class Trees { none, grown };
+
+FastLevel fast_level(const Light& light, const PreparedObstacles& obstacles, const LinearSearch& search, Trees trees);
 
 }  // namespace gnomon

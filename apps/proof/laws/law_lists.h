@@ -46,6 +46,12 @@ std::vector<Law> search_laws();
 /// Mistakes in that; all_mutants() has them too.
 std::vector<Mutant> search_mutants();
 
+/// ST1: shadow trees.
+std::vector<Law> tree_laws();
+
+/// Mistakes in them; all_mutants() has them too.
+std::vector<Mutant> tree_mutants();
+
 /// The laws about many blockers in space.
 std::vector<Law> sight_laws();
 

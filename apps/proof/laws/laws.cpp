@@ -9,7 +9,7 @@ std::vector<Law> all_laws() {
   std::vector<Law> all;
   for (const auto& family : {planar_laws(), flatland_laws(), flatland_claims(), spatial_laws(), any_position_laws(),
                              sight_laws(), event_laws(), event_count_laws(), receiver_laws(), triple_edge_laws(),
-                             search_laws(), spatial_claims(), reflection_laws(), reflection_claims()}) {
+                             search_laws(), tree_laws(), spatial_claims(), reflection_laws(), reflection_claims()}) {
     all.insert(all.end(), family.begin(), family.end());
   }
   const std::vector<std::string> order = all_keys();
@@ -22,8 +22,8 @@ std::vector<Law> all_laws() {
 }
 
 std::vector<std::string> all_keys() {
-  const std::pair<std::string, int> families[] = {{"P", 10}, {"Q", 6},  {"S", 15}, {"M", 5}, {"E", 7},
-                                                  {"T", 9},  {"LL", 3}, {"F", 7},  {"H", 8}, {"G", 9}};
+  const std::pair<std::string, int> families[] = {{"P", 10}, {"Q", 6},  {"S", 15}, {"M", 5}, {"E", 7}, {"T", 9},
+                                                  {"LL", 3}, {"ST", 1}, {"F", 7},  {"H", 8}, {"G", 9}};
   std::vector<std::string> keys;
   for (const auto& [letter, last] : families) {
     for (int number = 1; number <= last; ++number) keys.push_back(letter + std::to_string(number));

@@ -326,7 +326,7 @@ std::vector<Mutant> flatland_mutants() {
 std::vector<Mutant> all_mutants() {
   std::vector<Mutant> all;
   for (auto& family : {planar_pair_mutants(), flatland_mutants(), plane_mutants(), volume_mutants(), hull_mutants(),
-                       sight_mutants(), event_mutants(), reflection_mutants(), search_mutants()}) {
+                       sight_mutants(), event_mutants(), reflection_mutants(), search_mutants(), tree_mutants()}) {
     all.insert(all.end(), family.begin(), family.end());
   }
   return all;
@@ -367,6 +367,9 @@ Subject with_part_watched(Part part, std::function<void()> asked) {
       break;
     case Part::searched_visibility:
       subject.searched_visibility = watched(subject.searched_visibility);
+      break;
+    case Part::tree_regions:
+      subject.tree_regions = watched(subject.tree_regions);
       break;
     case Part::planar_extremal_lines:
       subject.planar_extremal_lines = watched(subject.planar_extremal_lines);

@@ -20,6 +20,7 @@ enum class Part {
   reflection,
   found_occluders,
   searched_visibility,
+  tree_regions,
   planar_extremal_lines,
   planar_regions,
   planar_region_of,

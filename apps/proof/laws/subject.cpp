@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "geometry/visibility/fast_linear_visibility.h"
+#include "geometry/visibility/shadow_tree.h"
 
 namespace gnomon::laws {
 
@@ -36,6 +37,16 @@ FoundOccluders found_occluders(const LinearLight& light, const std::vector<Conve
     }
   }
   return found;
+}
+
+std::vector<std::optional<Region>> tree_regions(const Light& light, const std::vector<ConvexBlocker>& blockers,
+                                                const std::vector<Point3>& points) {
+  std::vector<std::optional<Region>> regions(points.size());
+  std::optional<ShadowTree> tree;
+  if (const auto* point = std::get_if<PointLight>(&light)) tree.emplace(*point, blockers);
+  if (const auto* sun = std::get_if<DirectionalLight>(&light)) tree.emplace(*sun, blockers);
+  for (std::size_t i = 0; tree && i < points.size(); ++i) regions[i] = tree->region_from(points[i]);
+  return regions;
 }
 
 std::vector<Visibility> searched_visibility(const LinearLight& light, const std::vector<ConvexBlocker>& blockers,

@@ -42,6 +42,10 @@ std::vector<Visibility> searched_visibility(const LinearLight& light, const std:
                                             const LinearSearch& search, const std::vector<Point3>& points,
                                             const Point3& normal);
 
+/// What a shadow tree tells of points; nothing where it leaves them open. No tree for lights with a size.
+std::vector<std::optional<Region>> tree_regions(const Light& light, const std::vector<ConvexBlocker>& blockers,
+                                                const std::vector<Point3>& points);
+
 /// The functions the laws are about, as values: a test may pass a broken one to see that a law catches it.
 struct Subject {
   // A lambda: private headers know another overload.
@@ -77,6 +81,9 @@ struct Subject {
   std::function<std::vector<Visibility>(const LinearLight&, const std::vector<ConvexBlocker>&, const LinearSearch&,
                                         const std::vector<Point3>&, const Point3& normal)>
       searched_visibility = laws::searched_visibility;
+  std::function<std::vector<std::optional<Region>>(const Light&, const std::vector<ConvexBlocker>&,
+                                                   const std::vector<Point3>&)>
+      tree_regions = laws::tree_regions;
 };
 
 }  // namespace gnomon::laws

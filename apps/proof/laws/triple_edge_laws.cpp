@@ -163,14 +163,15 @@ std::optional<Closing> closing_of(const ReceiverScene& scene, const DividedRecei
   for (const std::uint32_t n : found.edge->names) {
     if (mesh.names[n].kind == EventKind::triple_edge) found.name = &mesh.names[n];
   }
-  const ExactVector a = exact(mesh.vertices[found.edge->source]), b = exact(mesh.vertices[found.edge->target]);
+  const ExactVector a = laws::exact(mesh.vertices[found.edge->source]),
+                    b = laws::exact(mesh.vertices[found.edge->target]);
   const ExactVector way = b - a;  // half way along, an arc runs along its chord
   if (is_zero(way)) return std::nullopt;
   found.near = Rational(1, 2) * (a + b);
   if (found.edge->arc != MeshEdge::nowhere) {
     const MeshArc& arc = mesh.arcs[found.edge->arc];
     const Rational w(arc.weight);
-    found.near = Rational(1 / (2 + 2 * w)) * (a + Rational(2 * w) * exact(arc.points[1]) + b);
+    found.near = Rational(1 / (2 + 2 * w)) * (a + Rational(2 * w) * laws::exact(arc.points[1]) + b);
   }
   found.across = {Rational(-way.y), way.x, Rational(0)};
   std::array<Segment, 3>& edges = found.edges;

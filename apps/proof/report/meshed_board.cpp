@@ -13,15 +13,15 @@ namespace {
 
 using BoardTriangle = std::array<Point3, 3>;
 
-double squared_length(const Point3& a, const Point3& b) {
+double squared_side(const Point3& a, const Point3& b) {
   return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y) + (a.z - b.z) * (a.z - b.z);
 }
 
 /// Two halves, through the middle of the longest side.
-std::array<BoardTriangle, 2> halves(const BoardTriangle& t) {
+std::array<BoardTriangle, 2> halves_of(const BoardTriangle& t) {
   std::size_t longest = 0;
   for (std::size_t k = 1; k < 3; ++k) {
-    if (squared_length(t[k], t[(k + 1) % 3]) > squared_length(t[longest], t[(longest + 1) % 3])) longest = k;
+    if (squared_side(t[k], t[(k + 1) % 3]) > squared_side(t[longest], t[(longest + 1) % 3])) longest = k;
   }
   const Point3 &a = t[longest], &b = t[(longest + 1) % 3], &c = t[(longest + 2) % 3];
   const Point3 middle{(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2};
@@ -29,17 +29,17 @@ std::array<BoardTriangle, 2> halves(const BoardTriangle& t) {
 }
 
 constexpr ShadowParts umbra_alone{.penumbra = false, .cells = false, .planes = false};
-constexpr Box3 around{{-9, -9, -9}, {9, 9, 9}};
+constexpr Box3 board_box{{-9, -9, -9}, {9, 9, 9}};
 
 /// The square of side 2 at the height 2, in so many triangles, a power of two; one: the square itself.
-std::vector<ConvexBlocker> board(std::size_t triangles) {
+std::vector<ConvexBlocker> board_of(std::size_t triangles) {
   if (triangles == 1) return {ConvexPolygon::from_points({{-1, -1, 2}, {1, -1, 2}, {1, 1, 2}, {-1, 1, 2}})};
   std::vector<BoardTriangle> parts = {BoardTriangle{Point3{-1, -1, 2}, {1, -1, 2}, {1, 1, 2}},
                                       {Point3{-1, -1, 2}, {1, 1, 2}, {-1, 1, 2}}};
   while (parts.size() < triangles) {
     std::vector<BoardTriangle> finer;
     for (const BoardTriangle& t : parts) {
-      for (const BoardTriangle& half : halves(t)) finer.push_back(half);
+      for (const BoardTriangle& half : halves_of(t)) finer.push_back(half);
     }
     parts = std::move(finer);
   }
@@ -55,7 +55,7 @@ std::vector<MeshedBoardRow> meshed_board(Effort effort) {
       AreaLight{ConvexPolygon::from_points({{-1.5, -1.5, 4}, {-1.5, 1.5, 4}, {1.5, 1.5, 4}, {1.5, -1.5, 4}})};
   std::vector<Point3> points;
   Draws draws(24);
-  LightVisibility whole(lamp, PreparedObstacles({board(1), {}}));
+  LightVisibility whole(lamp, PreparedObstacles({board_of(1), {}}));
   for (const std::size_t wanted = effort == Effort::quick ? 50 : 500; points.size() < wanted;) {
     const double x = draws.between(-1, 1), y = draws.between(-1, 1);
     const Point3 p{x, y, draws.between(-2, 2)};
@@ -64,7 +64,7 @@ std::vector<MeshedBoardRow> meshed_board(Effort effort) {
   double whole_volume = 0;
   std::vector<MeshedBoardRow> rows;
   for (std::size_t n = 1; n <= 1024; n *= 4) {
-    const std::vector<ConvexBlocker> parts = board(n);
+    const std::vector<ConvexBlocker> parts = board_of(n);
     LightVisibility together(lamp, PreparedObstacles({parts, {}}));
     for (const Point3& p : points) {
       if (together.at(p).region != Region::umbra) throw PreconditionError("a board in pieces lets light through");
@@ -72,7 +72,7 @@ std::vector<MeshedBoardRow> meshed_board(Effort effort) {
     // No two pieces hide the whole lamp from one point: their umbrae have no volume in common.
     double volume = 0;
     for (const ConvexBlocker& part : parts)
-      volume += shadow_meshes(lamp, part, around, umbra_alone).umbra.volume.nearest;
+      volume += shadow_meshes(lamp, part, board_box, umbra_alone).umbra.volume.nearest;
     if (n == 1) whole_volume = volume;
     rows.push_back({n, volume / whole_volume});
   }

@@ -4,10 +4,12 @@
 #include <utility>
 #include <vector>
 
+#include "apps/proof/report/adaptive_rays.h"
 #include "apps/proof/report/hard_case_trial.h"
 #include "apps/proof/report/measurement.h"
 #include "apps/proof/report/rotation.h"
 #include "apps/proof/report/search_tables.h"
+#include "apps/proof/report/shadow_bsp.h"
 #include "apps/proof/report/sight_tasks.h"
 #include "apps/proof/report/table_one.h"
 #include "apps/proof/report/timings.h"
@@ -25,6 +27,8 @@ struct Report {
   std::vector<TableOneRow> table_one;
   std::vector<SearchRow> searches;
   std::vector<MeshedBoardRow> meshed_board;
+  BoxesResult boxes;
+  std::vector<AdaptiveRow> adaptive;
 };
 
 /// A file, by its name relative to the report's folder.

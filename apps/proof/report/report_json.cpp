@@ -107,6 +107,21 @@ ordered_json entry(const MeshedBoardRow& row) {
   return {{"triangles", row.triangles}, {"hidden_by_one", row.share}};
 }
 
+ordered_json entry(const BspRow& row) {
+  return {
+      {"tree", row.tree}, {"volumes", row.volumes}, {"nodes", row.nodes}, {"height", row.height}, {"path", row.path}};
+}
+
+ordered_json entry(const AdaptiveRow& row) {
+  return {{"triangles", row.triangles},
+          {"start", row.start},
+          {"rays", row.rays},
+          {"rms", row.rms},
+          {"missed", row.missed},
+          {"stratified_rms", row.stratified_rms},
+          {"stratified_missed", row.stratified_missed}};
+}
+
 ordered_json entry(const Equivalent& e) {
   return {{"task", e.task}, {"method", e.method}, {"blockers", e.size}, {"samples", e.samples}, {"rms", e.rms}};
 }
@@ -133,6 +148,8 @@ TextFile report_json(const Report& report) {
   document["table_one"] = list(report.table_one);
   document["linear_searches"] = list(report.searches);
   document["meshed_board"] = list(report.meshed_board);
+  document["shadow_trees"] = list(report.boxes.trees);
+  document["adaptive_rays"] = list(report.adaptive);
   return {"report.json", document.dump(1) + '\n'};
 }
 

@@ -229,7 +229,8 @@ TextFile report_page(const Report& report) {
               sizes_of_task(report, "irradiance", "Irradiance", "triangle") + equivalents_section(report) +
               volumes(report) + sizes_of_task(report, "receiver_areas", "Areas of regions on a receiver", "board") +
               table_one_section(report.table_one) + search_tables_section(report.searches) +
-              hard_cases_section(report) + meshed_board_section(report.meshed_board) + rotation_section(report)};
+              boxes_section(report.boxes) + adaptive_rays_section(report.adaptive) + hard_cases_section(report) +
+              meshed_board_section(report.meshed_board) + rotation_section(report)};
 }
 
 }  // namespace gnomon::report

@@ -15,8 +15,8 @@ namespace {
 std::vector<ExactView> views(const VisiblePart& part, bool two_sided, const ExactVector& p) {
   std::vector<ExactView> result;
   for (const SeenFacet& seen : part.facets) {
-    const Rational height = plane_through(seen.facet[0], seen.facet[1], seen.facet[2]).height(p);
-    if (height == 0 || (height < 0 && !two_sided)) continue;
+    const Rational above = plane_through(seen.facet[0], seen.facet[1], seen.facet[2]).height(p);
+    if (above == 0 || (above < 0 && !two_sided)) continue;
     for (const ExactPolygon& polygon : seen.visible) {
       result.emplace_back();
       for (const ExactVector& corner : polygon) {

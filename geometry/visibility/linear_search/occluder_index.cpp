@@ -19,7 +19,7 @@ OccluderIndex::Search OccluderIndex::search_of(const LinearLight& light, const B
   if (search.parts > most_parts(search.strategy)) throw PreconditionError("a search for occluders has too many parts");
   // Nothing is asked where coordinates are out of range: see FastLinearVisibility.
   const bool in_range = is_in_range(light.start) && is_in_range(light.end) && blockers.content().largest <= largest;
-  if (!in_range || blockers.size() == 0) return HierarchySearch(blockers);
+  if (!in_range || light.start == light.end || blockers.size() == 0) return HierarchySearch(blockers);
   const std::uint32_t parts = search.parts > 0 ? search.parts : usual_parts(search.strategy);
   switch (search.strategy) {
     case OccluderSearch::plane:

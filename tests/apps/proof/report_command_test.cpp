@@ -120,6 +120,25 @@ void expect_umbrae_of_pieces_to_shrink(const json& rows) {
   for (std::size_t k = 1; k < rows.size(); ++k) EXPECT_LT(rows[k]["hidden_by_one"], rows[k - 1]["hidden_by_one"]);
 }
 
+void expect_trees_of_shadow_volumes(const json& trees) {
+  ASSERT_EQ(trees.size(), 3u);
+  for (const json& tree : trees) {
+    EXPECT_GT(tree["nodes"].get<double>(), 2 * tree["volumes"].get<double>()) << tree;
+    EXPECT_LE(tree["path"], tree["height"]) << tree;
+  }
+  EXPECT_GT(trees[0]["nodes"], trees[1]["nodes"]) << "occlusions have more planes than umbrae";
+}
+
+/// What starts coarsely misses more than what starts finely.
+void expect_adaptive_rays_to_miss_blockers(const json& rows) {
+  ASSERT_EQ(rows.size(), 9u);
+  for (std::size_t k = 0; k < rows.size(); k += 3) {
+    EXPECT_GT(rows[k]["missed"], 0) << rows[k];
+    EXPECT_GE(rows[k]["missed"], rows[k + 2]["missed"]) << rows[k];
+    EXPECT_GT(rows[k]["rms"], rows[k + 2]["rms"]) << rows[k];
+  }
+}
+
 std::set<std::string> methods_of_task(const json& measurements, const std::string& task) {
   std::set<std::string> methods;
   for (const json& m : measurements) {
@@ -146,6 +165,8 @@ TEST_F(ReportCommand, QuickReportClaimsNothingWrongAndAgreesWithTheNext) {
   expect_sampling_to_converge(measurements);
   expect_searches_to_find_what_is_needed(document["linear_searches"]);
   expect_umbrae_of_pieces_to_shrink(document["meshed_board"]);
+  expect_trees_of_shadow_volumes(document["shadow_trees"]);
+  expect_adaptive_rays_to_miss_blockers(document["adaptive_rays"]);
   for (const char* task : {"visible_fraction", "irradiance"}) {
     EXPECT_THAT(methods_of_task(measurements, task),
                 IsSupersetOf({"exact", "gnomon", "plain_doubles", "polygon_set_2", "embree_regular", "embree_jittered",
