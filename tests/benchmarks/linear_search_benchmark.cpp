@@ -1,23 +1,42 @@
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <string>
 
 #include "apps/proof/report/draws.h"
 #include "apps/proof/report/embree_rays.h"
 #include "apps/proof/report/triangle_scenes.h"
+#include "geometry/visibility/common_part.h"
 #include "geometry/visibility/fast_linear_visibility.h"
 #include "geometry/visibility/linear_search/light_triangle.h"
 #include "tests/benchmarks/ratios.h"
 
 // What a point sees of a linear light behind n triangles, search and exact intervals together, with each way of finding
-// what may hide it. The counters tell, for a question, how many blockers were found, how many of them hide something,
-// and how many nodes of a hierarchy or voxels were visited.
+// what may hide it. The counters tell, for a question, how many blockers were found and how many nodes of a hierarchy
+// or voxels were visited; and how many blockers are found for each that has a point between the two, of 64 points.
 namespace gnomon::benchmarks {
 namespace {
 
 constexpr LinearLight tube{{-.5, 0, 4}, {.5, 0, 4}};
+
+/// Blockers found for each in the triangle between point and light, exactly.
+double found_for_each_needed(FastLinearVisibility& visibility, const report::TriangleScene& scene) {
+  const BlockerSet blockers(scene.blockers);
+  std::size_t found = 0, needed = 0;
+  for (const Point3& p : std::span(scene.points).first(64)) {
+    const auto occluders = visibility.occluders(p);
+    if (!occluders) continue;
+    const std::array triangle{p, tube.start, tube.end};
+    for (const std::uint32_t b : *occluders)
+      needed += sight::have_common_point(blockers.content(), b, triangle) ? 1 : 0;
+    found += occluders->size();
+  }
+  return static_cast<double>(found) / static_cast<double>(std::max<std::size_t>(needed, 1));
+}
 
 void linear_seen(benchmark::State& state, OccluderSearch search) {
   const report::TriangleScene scene = report::triangle_scene(static_cast<std::size_t>(state.range(0)));
@@ -35,6 +54,7 @@ void linear_seen(benchmark::State& state, OccluderSearch search) {
   const auto of_question = [&](std::size_t count) { return static_cast<double>(count) / static_cast<double>(asked); };
   state.counters["candidates"] = of_question(counts.candidates);
   state.counters["visited"] = of_question(counts.visited);
+  if (search != OccluderSearch::plane) state.counters["per_needed"] = found_for_each_needed(visibility, scene);
 }
 
 /// Visible fractions by shadow rays of Embree to k jittered points of the light, one in each of k equal parts.
