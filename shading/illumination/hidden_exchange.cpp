@@ -15,11 +15,27 @@ namespace {
 using shading::Bounded;
 using shading::Vector;
 
-/// Nodes and weights on [0, 1].
+/// Just inside of 0 and 1.
+constexpr double just_inside = 0x1p-20;
+
+/// Nodes and weights on [0, 1], and what the values at the nodes make just inside, in the middle and just inside of the
+/// other end by interpolation.
 struct Rule {
   std::vector<double> node;
   std::vector<double> weight;
+  std::array<std::vector<double>, 3> near_ends;
 };
+
+/// Lagrange's polynomials of the nodes at x.
+std::vector<double> interpolation(const std::vector<double>& node, double x) {
+  std::vector<double> share(node.size(), 1.0);
+  for (std::size_t i = 0; i < node.size(); ++i) {
+    for (std::size_t j = 0; j < node.size(); ++j) {
+      if (j != i) share[i] *= (x - node[j]) / (node[i] - node[j]);
+    }
+  }
+  return share;
+}
 
 template <unsigned n>
 Rule made_rule() {
@@ -33,6 +49,8 @@ Rule made_rule() {
       rule.weight.push_back(w);
     }
   }
+  rule.near_ends = {interpolation(rule.node, just_inside), interpolation(rule.node, .5),
+                    interpolation(rule.node, 1 - just_inside)};
   return rule;
 }
 
@@ -102,6 +120,7 @@ class TriangleIntegral {
 
   /// The error of the second rule is estimated by its difference from the first. Rules of n nodes err about as q^n, so
   /// the last two differences tell q each; the larger one makes the estimate from then on, sixteen times for safety.
+  /// What is missed at the corners counts, too.
   Result integral(const Triangle& t, double tolerance) {
     Result last;
     double step = HUGE_VAL;
@@ -111,6 +130,7 @@ class TriangleIntegral {
         const double change = std::fabs(next.value - last.value), scale = std::fabs(next.value) + change;
         next.off =
             k == 1 ? change : 16 * std::max(error_after(k, k - 2, step, scale), error_after(k, k - 1, change, scale));
+        if (next.off <= tolerance) next.off = std::max(next.off, missed_by(t, rules()[k], next.value));
         step = change;
       }
       last = next;
@@ -126,23 +146,48 @@ class TriangleIntegral {
   }
 
   /// In coordinates that shrink to a point at the first corner (Duffy).
+  Irradiance at(const Triangle& t, double r, double q) {
+    const double b = r * (1 - q), c = r * q;
+    const auto along = [&](double Point3::*x) { return t[0].*x + b * (t[1].*x - t[0].*x) + c * (t[2].*x - t[0].*x); };
+    ++evaluations_;
+    return irradiance_.received({{along(&Point3::x), along(&Point3::y), along(&Point3::z)}, front_, {}}, normal_);
+  }
+
   Result by_rule(const Triangle& t, const Rule& rule) {
     const double doubled = 2 * area_of(t);
+    const std::size_t n = rule.node.size();
     Result result;
-    for (std::size_t i = 0; i < rule.node.size(); ++i) {
-      for (std::size_t j = 0; j < rule.node.size(); ++j) {
-        const double r = rule.node[i], q = rule.node[j];
-        const double b = r * (1 - q), c = r * q;
-        const auto at = [&](double Point3::*x) { return t[0].*x + b * (t[1].*x - t[0].*x) + c * (t[2].*x - t[0].*x); };
-        const Point3 p{at(&Point3::x), at(&Point3::y), at(&Point3::z)};
-        const Irradiance e = irradiance_.received({p, front_, {}}, normal_);
-        const double share = rule.weight[i] * rule.weight[j] * r * doubled;
+    values_.resize(n * n);
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < n; ++j) {
+        const Irradiance e = at(t, rule.node[i], rule.node[j]);
+        const double share = rule.weight[i] * rule.weight[j] * rule.node[i] * doubled;
+        values_[i * n + j] = e.value;
         result.value += share * e.value;
         result.bound += share * e.error_bound;
       }
     }
-    evaluations_ += rule.node.size() * rule.node.size();
     return result;
+  }
+
+  /// What a peak at a corner that lies between all nodes may add: the polynomial through their values differs from the
+  /// irradiance there. An interpolation of n nodes errs about as the root of what the rule does, so it is squared.
+  double missed_by(const Triangle& t, const Rule& rule, double value) {
+    struct Corner {
+      double r, q;
+      const std::vector<double>&along_r, &along_q;
+    };
+    const auto& [low, middle, high] = rule.near_ends;
+    const std::size_t n = rule.node.size();
+    double missed = 0;
+    for (const Corner& c : {Corner{just_inside, .5, low, middle}, Corner{1 - just_inside, just_inside, high, low},
+                            Corner{1 - just_inside, 1 - just_inside, high, high}}) {
+      double sum = 0;
+      for (std::size_t k = 0; k < values_.size(); ++k) sum += c.along_r[k / n] * c.along_q[k % n] * values_[k];
+      missed = std::max(missed, std::fabs(sum - at(t, c.r, c.q).value));
+    }
+    const double area = area_of(t);
+    return missed == 0 ? 0 : area * missed * missed / std::max(value / area, 0x1p-40 * missed);
   }
 
   /// Of the longest side, the corner across it first in both.
@@ -166,6 +211,7 @@ class TriangleIntegral {
   double sum_ = 0;
   double error_ = 0;
   std::size_t evaluations_ = 0;
+  std::vector<double> values_;  ///< at the nodes of the last rule
 };
 
 bool has_arcs(const ReceiverMesh& mesh, const RegionPolygon& region) {

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -145,6 +146,8 @@ SpaceScene mesh_scene(const std::string& obj, const std::string& normals, const 
   const std::string text = R"({"gnomon": 1, "dimension": 3, "lights": [], "blockers": [{"name": "m", "shape": "mesh",
     "file": "m.obj", "normals": ")" +
                            normals + "\"" + more + "}]}";
+  const auto remove = [](const std::filesystem::path* made) { std::filesystem::remove_all(*made); };
+  const std::unique_ptr<const std::filesystem::path, decltype(remove)> clean_up(&folder, remove);
   return std::get<SpaceScene>(parse_scene(text, "test", folder));
 }
 

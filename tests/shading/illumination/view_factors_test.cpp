@@ -215,6 +215,32 @@ TEST(ViewFactors, CanBeMadeToFulfilClosureAndReciprocity) {
   }
 }
 
+TEST(ViewFactors, ArePeakedWhereSurfacesPierceEachOtherAndTheEstimateKnows) {
+  const ConvexPolygon first =
+      ConvexPolygon::from_points({{-0.2773185017598594, 0.7112227188227025, -0.6427823604708229},
+                                  {-0.4031178109418032, 0.7641290568719996, 0.4004417174702908},
+                                  {-0.21115817879319487, -0.7653787811158581, 0.3303039645836856}});
+  const ConvexPolygon second =
+      ConvexPolygon::from_points({{-0.986015454321499, -0.3906686531304915, 0.9858889718819175},
+                                  {-0.7607154846753643, 0.9925196222175485, 0.258875804551002},
+                                  {0.08858944893275789, -0.09629362702736954, -0.7505076523548193}});
+  const std::vector<ConvexBlocker> blockers = {
+      ConvexPolygon::from_points({{-0.05566983300161388, -0.9051524128300426, 0.9553040237469592},
+                                  {0.3762957217650402, 0.5065992835974913, -0.16028043146731719},
+                                  {0.4311233714075182, 0.3904079580937698, -0.09228823561592336}}),
+      ConvexPolygon::from_points({{-0.30769870619542883, 0.807151751962649, -0.9451051771781047},
+                                  {-0.9148654261093543, -0.8309358597974157, -0.5359260196527802},
+                                  {0.05968234250679072, 0.4356148623464535, -0.31839372293227775}})};
+  const double known = 0.00647714380;  // at a bound of 1e-8, from both sides
+  ViewFactorEffort effort;
+  effort.bound = 1e-5;
+  effort.most_evaluations = 3000;
+  const std::vector<ViewSurface> surfaces = {{first}, {second}};
+  const ViewFactor found = factor(view_factors(surfaces, {blockers, {}}, effort), 0, 1);
+  EXPECT_NEAR(found.value, known, found.error_bound);
+  EXPECT_LT(found.error_bound, 1e-4);
+}
+
 TEST(ViewFactors, NeedAPositiveBound) {
   EXPECT_THROW(all_of({unit_floor, unit_lid}, {}, 0), PreconditionError);
   EXPECT_THROW(all_of({unit_floor, unit_lid}, {}, NAN), PreconditionError);
