@@ -70,9 +70,9 @@ double area_of(const Triangle& t) {
 /// The integral of irradiance over triangles of a receiver.
 class TriangleIntegral {
  public:
-  TriangleIntegral(const ConvexPolygon& receiver, LightIrradiance& irradiance, const HiddenEffort& effort)
-      : front_(facet_front(receiver)), irradiance_(irradiance), effort_(effort) {
-    const auto& [a, b, c] = front_.corners;
+  TriangleIntegral(const RestingPiece& receiver, LightIrradiance& irradiance, const HiddenEffort& effort)
+      : receiver_{{}, facet_front(receiver.polygon), receiver.under}, irradiance_(irradiance), effort_(effort) {
+    const auto& [a, b, c] = std::get<FacetFront>(receiver_.front).corners;
     const Vector n = cross(step(a, b), step(a, c));
     normal_ = {n.x, n.y, n.z};
   }
@@ -150,7 +150,8 @@ class TriangleIntegral {
     const double b = r * (1 - q), c = r * q;
     const auto along = [&](double Point3::*x) { return t[0].*x + b * (t[1].*x - t[0].*x) + c * (t[2].*x - t[0].*x); };
     ++evaluations_;
-    return irradiance_.received({{along(&Point3::x), along(&Point3::y), along(&Point3::z)}, front_, {}}, normal_);
+    receiver_.point = {along(&Point3::x), along(&Point3::y), along(&Point3::z)};
+    return irradiance_.received(receiver_, normal_);
   }
 
   Result by_rule(const Triangle& t, const Rule& rule) {
@@ -203,7 +204,7 @@ class TriangleIntegral {
     return {Triangle{across, a, middle}, Triangle{across, middle, b}};
   }
 
-  FacetFront front_;
+  ReceiverPoint receiver_;  ///< at the place that was asked last
   Point3 normal_;
   LightIrradiance& irradiance_;
   HiddenEffort effort_;
@@ -250,7 +251,7 @@ double rounding_of(const Loops& loops) {
 
 }  // namespace
 
-Exchange hidden_exchange(const ReceiverMesh& mesh, const ConvexPolygon& receiver, const Loops& light,
+Exchange hidden_exchange(const ReceiverMesh& mesh, const RestingPiece& receiver, const Loops& light,
                          LightIrradiance& irradiance, const HiddenEffort& effort) {
   Exchange result;
   const std::vector<Point3> vertices = mesh.vertices();

@@ -22,11 +22,17 @@ struct HiddenEffort {
   std::size_t most_evaluations = 0;  ///< of irradiance
 };
 
+/// A receiver, and which of the blockers lie under it and hide nothing from it, ascending.
+struct RestingPiece {
+  const ConvexPolygon& polygon;
+  std::vector<std::uint32_t> under = {};
+};
+
 /// The exchange area of a divided receiver and the light that it has been divided for.
 ///
 /// `light` is what of the light lies before the receiver, as loops; `irradiance` is that of the whole light at radiance
 /// 1 behind the same blockers.
-Exchange hidden_exchange(const ReceiverMesh& mesh, const ConvexPolygon& receiver, const Loops& light,
+Exchange hidden_exchange(const ReceiverMesh& mesh, const RestingPiece& receiver, const Loops& light,
                          LightIrradiance& irradiance, const HiddenEffort& effort);
 
 }  // namespace gnomon::illumination

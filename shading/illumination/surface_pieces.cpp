@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 #include "geometry/numbers/exact_vector.h"
 #include "geometry/numbers/orientation.h"
@@ -23,6 +24,12 @@ std::vector<ConvexPolygon> flat_parts(const ConvexPolygon& polygon) {
   const std::vector<Point3> c = corners_of(polygon);
   for (std::size_t k = 2; k < c.size(); ++k) parts.push_back(ConvexPolygon::from_points({c[0], c[k - 1], c[k]}));
   return parts;
+}
+
+std::vector<Point3> in_order(std::span<const Point3> points) {
+  std::vector<Point3> sorted(points.begin(), points.end());
+  std::ranges::sort(sorted, {}, [](const Point3& p) { return std::tuple(p.x, p.y, p.z); });
+  return sorted;
 }
 
 double largest_coordinate(std::span<const Point3> points) {
@@ -48,13 +55,18 @@ double area_of(const ConvexPolygon& polygon) {
   return std::hypot(x, y, z) / 2;
 }
 
+bool are_of_one_plate(const Piece& a, const Piece& b) {
+  return !a.plate.empty() && a.plate == b.plate;
+}
+
 std::vector<Piece> flat_pieces(std::span<const ViewSurface> surfaces) {
   std::vector<Piece> pieces;
   for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
     for (const ConvexPolygon& polygon : surfaces[s]) {
+      const std::vector<Point3> plate = polygon.is_flat() ? std::vector<Point3>{} : in_order(polygon.points());
       for (ConvexPolygon& part : flat_parts(polygon)) {
         const double area = area_of(part);
-        pieces.push_back({std::move(part), s, area});
+        pieces.push_back({std::move(part), s, area, plate});
       }
     }
   }

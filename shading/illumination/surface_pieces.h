@@ -16,7 +16,13 @@ struct Piece {
   ConvexPolygon polygon;
   std::uint32_t surface = 0;
   double area = 0;
+  std::vector<Point3> plate =
+      {};  ///< of a triangle, the vertices of the polygon it was cut from, in an order of theirs
 };
+
+/// True of pieces of one polygon whose vertices were rounded off their plane, of its front or its back: they would see
+/// each other past what was rounded.
+bool are_of_one_plate(const Piece& a, const Piece& b);
 
 /// The pieces of all surfaces, in their order; polygons whose vertices were rounded off their plane as triangles.
 std::vector<Piece> flat_pieces(std::span<const ViewSurface> surfaces);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "geometry/bodies/closed_surface.h"
+#include "geometry/bodies/own_blockers.h"
 #include "geometry/parallel.h"
 #include "gnomon/errors.h"
 #include "gnomon/irradiance.h"
@@ -33,12 +34,18 @@ struct PairExchange {
   bool is_divided = false;
 };
 
+/// What is known of each piece before any pair is asked for.
+struct PieceFacts {
+  std::vector<bool> is_enclosed;
+  std::vector<std::vector<std::uint32_t>> own;  ///< the thin solids that it is a facet of: they hide nothing from it
+};
+
 /// All that is asked of one piece as a light.
 class RowOfLight {
  public:
   RowOfLight(std::span<const Piece> pieces, const Obstacles& obstacles, const illumination::StandingBetween& between,
-             const std::vector<bool>& is_enclosed, const ViewFactorEffort& effort)
-      : pieces_(pieces), obstacles_(obstacles), between_(between), is_enclosed_(is_enclosed), effort_(effort) {}
+             const PieceFacts& facts, const ViewFactorEffort& effort)
+      : pieces_(pieces), obstacles_(obstacles), between_(between), facts_(facts), effort_(effort) {}
 
   std::vector<PairExchange> found(std::uint32_t light) {
     std::vector<PairExchange> row;
@@ -49,8 +56,9 @@ class RowOfLight {
       const auto before_light = part_before(pieces_[outer].polygon, pieces_[light].polygon);
       const auto before_outer = part_before(pieces_[light].polygon, pieces_[outer].polygon);
       if (before_light.loops.empty() || before_outer.loops.empty()) continue;
+      if (facts_.is_enclosed[outer] || facts_.is_enclosed[light]) continue;
       between_.find(pieces_[outer].polygon, pieces_[light].polygon, near_);
-      if (is_enclosed_[outer] || is_enclosed_[light]) continue;
+      std::erase_if(near_, [&](std::uint32_t b) { return is_own(outer, b) || is_own(light, b); });
       if (near_.empty()) {
         const Bounded area = illumination::exchange_area(before_light.loops, before_outer.loops);
         row.push_back({outer, light, {widened(area, before_light.rounding + before_outer.rounding), true, 0}, false});
@@ -66,11 +74,15 @@ class RowOfLight {
  private:
   /// Of two pieces the smaller one is divided.
   bool is_asked(std::uint32_t outer, std::uint32_t light) const {
-    if (outer == light) return false;
+    if (outer == light || are_of_one_plate(pieces_[outer], pieces_[light])) return false;
     const std::uint32_t a = pieces_[outer].surface, b = pieces_[light].surface;
     if (effort_.from && a != *effort_.from && (effort_.twice || b != *effort_.from)) return false;
     if (effort_.twice) return true;
     return std::pair(pieces_[outer].area, outer) < std::pair(pieces_[light].area, light);
+  }
+
+  bool is_own(std::uint32_t piece, std::uint32_t blocker) const {
+    return std::ranges::binary_search(facts_.own[piece], blocker);
   }
 
   double tolerance(std::uint32_t outer, std::uint32_t light) const {
@@ -81,7 +93,12 @@ class RowOfLight {
                      const std::set<std::uint32_t>& blockers, std::vector<PairExchange>& row) {
     if (outers.empty()) return;
     Obstacles near;
-    for (const std::uint32_t b : blockers) near.blockers.push_back(obstacles_.blockers[b]);
+    std::vector<std::uint32_t> numbers;
+    for (const std::uint32_t b : blockers) {
+      if (is_own(light, b)) continue;
+      near.blockers.push_back(obstacles_.blockers[b]);
+      numbers.push_back(b);
+    }
     const AreaLight source{pieces_[light].polygon};
     std::vector<ConvexPolygon> receivers;
     for (const std::uint32_t outer : outers) receivers.push_back(pieces_[outer].polygon);
@@ -90,7 +107,11 @@ class RowOfLight {
     for (std::uint32_t r = 0; r < outers.size(); ++r) {
       const ReceiverMesh mesh = division.mesh(r);
       const auto before = part_before(pieces_[light].polygon, receivers[r]);
-      Exchange exchange = illumination::hidden_exchange(mesh, receivers[r], before.loops, irradiance,
+      std::vector<std::uint32_t> under;
+      for (std::uint32_t k = 0; k < numbers.size(); ++k) {
+        if (is_own(outers[r], numbers[k])) under.push_back(k);
+      }
+      Exchange exchange = illumination::hidden_exchange(mesh, {receivers[r], under}, before.loops, irradiance,
                                                         {tolerance(outers[r], light), effort_.most_evaluations});
       if (!shading::is_exact_zero(exchange.area)) exchange.area = widened(exchange.area, before.rounding);
       row.push_back({outers[r], light, exchange, true});
@@ -100,7 +121,7 @@ class RowOfLight {
   std::span<const Piece> pieces_;
   const Obstacles& obstacles_;
   const illumination::StandingBetween& between_;
-  const std::vector<bool>& is_enclosed_;
+  const PieceFacts& facts_;
   const ViewFactorEffort& effort_;
   std::vector<std::uint32_t> near_;
 };
@@ -115,12 +136,16 @@ bool is_enclosed(const Piece& piece, const Obstacles& obstacles) {
 std::vector<PairExchange> all_exchanges(std::span<const Piece> pieces, const Obstacles& obstacles,
                                         const ViewFactorEffort& effort) {
   const illumination::StandingBetween between(obstacles.blockers);
-  std::vector<bool> enclosed;
-  for (const Piece& piece : pieces) enclosed.push_back(is_enclosed(piece, obstacles));
+  const OwnBlockers own(obstacles.blockers);
+  PieceFacts facts;
+  for (const Piece& piece : pieces) {
+    facts.is_enclosed.push_back(is_enclosed(piece, obstacles));
+    facts.own.push_back(own.of(piece.polygon));
+  }
   std::vector<std::vector<PairExchange>> rows(pieces.size());
   std::atomic<std::size_t> done = 0;
   for_all(pieces.size(), effort.threads, [&](std::size_t light, std::size_t) {
-    RowOfLight row(pieces, obstacles, between, enclosed, effort);
+    RowOfLight row(pieces, obstacles, between, facts, effort);
     rows[light] = row.found(static_cast<std::uint32_t>(light));
     ++done;
     if (effort.progress) effort.progress(done, pieces.size());
@@ -151,8 +176,9 @@ double reciprocity_residual(const ExchangeAreas& areas) {
 
 ViewFactor factor_of(std::uint32_t from, std::uint32_t to, double area, const Exchange& exchange) {
   const Bounded value = exchange.area / Bounded(area, 8 * shading::unit * area);
-  // Neither below 0 nor above 1 is a better guess.
-  return {from, to, std::clamp(value.value, 0.0, 1.0), final_bound(value), exchange.is_proven};
+  // Neither below 0 nor above 1 is a better guess, and none is farther off than the other end.
+  const double clamped = std::clamp(value.value, 0.0, 1.0);
+  return {from, to, clamped, std::min(final_bound(value), std::max(clamped, 1 - clamped)), exchange.is_proven};
 }
 
 }  // namespace

@@ -241,6 +241,56 @@ TEST(ViewFactors, ArePeakedWhereSurfacesPierceEachOtherAndTheEstimateKnows) {
   EXPECT_LT(found.error_bound, 1e-4);
 }
 
+/// A polygon turned by angles that leave no coordinate short.
+ConvexPolygon turned_awkwardly(const ConvexPolygon& polygon) {
+  std::vector<Point3> points;
+  for (const Point3& p : polygon.points()) {
+    const double c = std::cos(0.1234), s = std::sin(0.1234), d = std::cos(0.77), e = std::sin(0.77);
+    const double x = c * p.x - s * p.y, y = s * p.x + c * p.y;
+    points.push_back({x, d * y - e * p.z, e * y + d * p.z});
+  }
+  return ConvexPolygon::from_points(points);
+}
+
+/// As scenes make it a blocker.
+ConvexBlocker plate_of(const ConvexPolygon& polygon) {
+  if (polygon.is_flat()) return polygon;
+  return ConvexSolid::hull_of({polygon.points().begin(), polygon.points().end()});
+}
+
+TEST(ViewFactors, OfRoundedWallsThatAreBlockersTooAreThoseOfTheWallsAlone) {
+  std::vector<ViewSurface> walls;
+  std::vector<ConvexBlocker> blockers;
+  std::size_t rounded = 0;
+  for (const ViewSurface& wall : factors::cube_walls(1)) {
+    walls.push_back({turned_awkwardly(wall.front())});
+    blockers.push_back(plate_of(walls.back().front()));
+    rounded += walls.back().front().is_flat() ? 0 : 1;
+  }
+  ASSERT_GT(rounded, 1U);
+  ViewFactorEffort effort;
+  effort.bound = 1e-4;
+  effort.most_evaluations = 1000;
+  // The walls across from each other, each as its own blocker.
+  for (std::uint32_t k = 0; k < 6; k += 2) {
+    const std::vector<ViewSurface> two = {walls[k], walls[k + 1]};
+    const ViewFactor found = factor(view_factors(two, {{blockers[k], blockers[k + 1]}, {}}, effort), 0, 1);
+    EXPECT_NEAR(found.value, 0.19982489569838746, found.error_bound + 1e-15) << k;
+    EXPECT_TRUE(found.is_proven);
+    EXPECT_LT(found.error_bound, 1e-12);
+  }
+}
+
+TEST(ViewFactors, OfTheTwoSidesOfARoundedPlateAreNone) {
+  for (const ViewSurface& wall : factors::cube_walls(1)) {
+    const ConvexPolygon front = turned_awkwardly(wall.front());
+    std::vector<Point3> back(front.points().rbegin(), front.points().rend());
+    const std::vector<ViewSurface> sides = {{front}, {ConvexPolygon::from_points(back)}};
+    EXPECT_TRUE(all_of(sides, {plate_of(front)}).factors.empty());
+    EXPECT_TRUE(all_of(sides).factors.empty());
+  }
+}
+
 TEST(ViewFactors, NeedAPositiveBound) {
   EXPECT_THROW(all_of({unit_floor, unit_lid}, {}, 0), PreconditionError);
   EXPECT_THROW(all_of({unit_floor, unit_lid}, {}, NAN), PreconditionError);
