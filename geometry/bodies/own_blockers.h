@@ -10,17 +10,19 @@
 
 namespace gnomon {
 
-/// Which thin solids have the corners of a facet among their vertices: they stand for facets whose vertices are not
-/// exactly coplanar, and must not hide the light from them.
+/// Which solids have the corners of a facet among their vertices and stand behind it but for rounding: those that the
+/// facet is one of, and thin ones that stand for it. Where vertices are not exactly coplanar the facet may lie behind
+/// their hull, and they must not hide the light from it.
 class OwnBlockers {
  public:
   explicit OwnBlockers(std::span<const ConvexBlocker> blockers);
 
-  /// Their indices, ascending.
+  /// Their indices, ascending. The facet's front is the side that its vertices go round counterclockwise.
   std::vector<std::uint32_t> of(const ConvexPolygon& facet) const;
 
  private:
   using Place = std::array<double, 3>;
+  std::span<const ConvexBlocker> blockers_;
   std::map<Place, std::vector<std::uint32_t>> solids_at_;  ///< ascending
 };
 

@@ -354,6 +354,54 @@ TEST_F(ReceiverSides, APlateWhoseVerticesWereRoundedDoesNotHideTheLightFromItsel
   }
 }
 
+/// The faces of a box, counterclockwise from outside.
+constexpr int box_faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+
+TEST_F(ReceiverSides, AConvexSolidWhoseVerticesWereRoundedDoesNotHideTheLightFromItsFaces) {
+  for (int k = 1; k <= 12; ++k) {
+    const double by = 0.25 * k + 0.01, a = std::cos(by), b = std::sin(by), c = std::cos(by / 3), d = std::sin(by / 3);
+    json vertices = json::array(), receivers = json::array();
+    for (int v = 0; v < 8; ++v) {
+      const double p = (v & 1) * 2 - 1, q = (v & 2) * 1.5 - 1, r = (v & 4) * 0.75;
+      const double x = a * p - b * q, y = b * p + a * q;
+      vertices.push_back({x, c * y - d * r, d * y + c * r});
+    }
+    for (const auto& face : box_faces) {
+      const std::string name = "face " + std::to_string(receivers.size());
+      json ring = json::array(), back = json::array();
+      for (const int v : face) ring.push_back(vertices[v]);
+      for (const int v : face) back.insert(back.begin(), vertices[v]);
+      receivers.push_back({{"name", name}, {"shape", "polygon"}, {"vertices", ring}});
+      receivers.push_back({{"name", name + " from inside"}, {"shape", "polygon"}, {"vertices", back}});
+    }
+    const json bulb = {{"name", "bulb"}, {"shape", "point"}, {"position", {1, 2, 99}}};
+    const json box = {{"name", "box"}, {"shape", "polytope"}, {"vertices", vertices}};
+    const json scene = {{"gnomon", 1},
+                        {"dimension", 3},
+                        {"lights", json::array({bulb})},
+                        {"blockers", json::array({box})},
+                        {"receivers", receivers}};
+    write("box.scene.json", scene.dump());
+    ASSERT_EQ(gnomon("receivers box.scene.json --json box.json --quiet").code, 0);
+    int lit = 0;
+    const json divided = read_json("box.json")["receivers"];
+    ASSERT_EQ(divided.size(), 12U);
+    for (const json& face : divided) {
+      const bool is_inside = face["name"].get<std::string>().ends_with("inside");
+      const json& areas = face["areas"];
+      // From inside a face may stick out of the hull by what was rounded.
+      const double sliver = is_inside ? 1e-14 : 0;
+      const auto is_wholly = [&](const char* region) {
+        return areas[region]["double"].get<double>() >= face["area"].get<double>() - sliver;
+      };
+      EXPECT_TRUE(is_wholly("unlit") || is_wholly(is_inside ? "umbra" : "lit")) << k << face;
+      lit += is_wholly("lit") ? 1 : 0;
+    }
+    EXPECT_GE(lit, 1);
+    EXPECT_LE(lit, 3);
+  }
+}
+
 TEST_F(ReceiverSides, ALampFlushWithItsCeilingIsSeenInFrontOfIt) {
   write("ceiling.scene.json", R"({"gnomon": 1, "dimension": 3,
     "camera": {"eye": [2.5, -3, 1], "look_at": [1.5, 1.5, 3], "width": 3, "height": 3, "fov": 2},
