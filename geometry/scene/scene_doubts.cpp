@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <span>
 #include <tuple>
 
-#include "geometry/bodies/body.h"
-#include "geometry/bodies/closed_surface.h"
 #include "geometry/numbers/orientation.h"
 #include "geometry/scene/json_text.h"
+#include "geometry/scene/lights_in_solids.h"
 #include "geometry/scene/receiver_facets.h"
 #include "geometry/scene/scene_points.h"
 #include "geometry/scene/surface_reader.h"
@@ -44,16 +44,6 @@ void doubt_duplicates(const std::vector<Blocker>& blockers, std::vector<std::str
     doubts.push_back(element_title("blockers", blocker.name) + ": its vertices are those of " +
                      element_title("blockers", first->second));
   }
-}
-
-/// The lights of the file, each as its parts.
-std::vector<std::span<const SceneLight>> light_elements(std::span<const SceneLight> lights) {
-  std::vector<std::span<const SceneLight>> elements;
-  for (std::size_t first = 0, last = 0; first < lights.size(); first = last) {
-    while (last < lights.size() && lights[last].element == lights[first].element) ++last;
-    elements.push_back(lights.subspan(first, last - first));
-  }
-  return elements;
 }
 
 void doubt_strength(const std::string& light, double strength, std::vector<std::string>& doubts) {
@@ -150,55 +140,27 @@ void doubt_dark_receivers(const SpaceScene& scene, std::vector<std::string>& dou
   }
 }
 
-bool is_inside(const Point3& p, const ConvexSolid& solid) {
-  return std::ranges::all_of(solid.facets(), [&](const ConvexSolid::Facet& facet) {
-    const auto corner = [&](std::size_t k) { return solid.points()[facet.loop[k]]; };
-    return exact_orientation(corner(0), corner(1), corner(2), p) < 0;
-  });
-}
-
-bool is_in_box_of(const Point3& p, std::span<const Point3> points) {
-  return std::ranges::all_of(std::array{&Point3::x, &Point3::y, &Point3::z}, [&](double Point3::*c) {
-    return std::ranges::any_of(points, [&](const Point3& q) { return q.*c < p.*c; }) &&
-           std::ranges::any_of(points, [&](const Point3& q) { return q.*c > p.*c; });
-  });
-}
-
-/// What a blocker that fills the space around some of the points is called.
-std::string filling(const SceneBlocker& blocker, std::span<const Point3> points) {
-  const Mesh* mesh = std::get_if<Mesh>(&blocker.shape);
-  const bool may_fill = mesh ? mesh->closed : std::holds_alternative<Polytope>(blocker.shape);
-  const auto corners = blocker_points(blocker.shape);
-  const auto is_near = [&](const Point3& p) { return is_in_box_of(p, corners); };
-  if (!may_fill || std::ranges::none_of(points, is_near)) return "";
-  if (const auto space = enclosed_space(blocker)) {
-    const bool is_filled = std::ranges::any_of(points, [&](const Point3& p) { return is_strictly_inside(p, *space); });
-    return is_filled ? "a closed mesh" : "";
+/// Materials are of the blocker where receiver and blocker are one surface.
+void doubt_two_materials(const SpaceScene& scene, std::vector<std::string>& doubts) {
+  using Places = std::set<std::array<double, 3>>;
+  const auto add = [](Places& places, std::span<const Point3> points) {
+    for (const Point3& p : points) places.insert({p.x, p.y, p.z});
+  };
+  std::map<Places, const SceneBlocker*> blockers;
+  for (const SceneBlocker& blocker : scene.blockers) {
+    Places places;
+    add(places, blocker_points(blocker.shape));
+    blockers.try_emplace(std::move(places), &blocker);
   }
-  for (const ConvexPart& part : convex_parts(blocker)) {
-    const auto* solid = std::get_if<ConvexSolid>(&part.shape);
-    if (solid && std::ranges::any_of(points, [&](const Point3& p) { return is_inside(p, *solid); })) return "a solid";
-  }
-  return "";
-}
-
-/// A room as a closed mesh is a solid to the program, and dark.
-void doubt_enclosed_lights(const SpaceScene& scene, std::vector<std::string>& doubts) {
-  for (const auto parts : light_elements(scene.lights)) {
-    if (std::holds_alternative<DirectionalLight>(parts[0].shape)) continue;
-    std::vector<Point3> points;
-    for (const SceneLight& part : parts) {
-      for (const Point3& p : light_points(part.shape)) points.push_back(p);
-    }
-    for (const SceneBlocker& blocker : scene.blockers) {
-      const std::string what = filling(blocker, points);
-      if (what.empty()) continue;
-      doubts.push_back(
-          element_title("lights", parts[0].element) + ": it reaches into " + element_title("blockers", blocker.name) +
-          ", " + what +
-          ": all inside is in the umbra, and what of the light is there shines nowhere; leave out a facet, "
-          "or write walls as polygons, for a room with air in it");
-    }
+  for (const ReceiverGroup receiver : receiver_elements(scene.receivers)) {
+    Places places;
+    for (const SceneReceiver& facet : receiver) add(places, facet.shape.points());
+    const auto same = blockers.find(places);
+    const std::string& material = receiver.front().material;
+    if (same == blockers.end() || material.empty() || same->second->material == material) continue;
+    doubts.push_back(element_title("receivers", receiver.front().element) + ": its vertices are those of " +
+                     element_title("blockers", same->second->name) +
+                     ", but not its material; 'gnomon image' shows the blocker's, all else tells of the receiver's");
   }
 }
 
@@ -222,7 +184,8 @@ std::vector<std::string> scene_doubts(const SpaceScene& scene) {
   std::vector<std::string> doubts = doubts_of_lists(scene);
   doubt_backs(scene, doubts);
   doubt_dark_receivers(scene, doubts);
-  doubt_enclosed_lights(scene, doubts);
+  doubt_lights_in_solids(scene, doubts);
+  doubt_two_materials(scene, doubts);
   doubt_materials(scene, doubts);
   return doubts;
 }

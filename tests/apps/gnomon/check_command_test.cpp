@@ -53,6 +53,36 @@ TEST_F(CheckCommand, DoubtsLightsInSolidsAndClosedMeshes) {
                            testing::StartsWith("light \"buried\": it reaches into blocker \"block\", a solid")));
 }
 
+TEST_F(CheckCommand, DoubtsLightsOnSolidsThatShineIntoThem) {
+  write("on.scene.json", R"({"gnomon": 1, "dimension": 3, "lights": [
+    {"name": "into", "shape": "polygon", "vertices": [[0,0,2], [0,1,2], [1,1,2], [1,0,2]]},
+    {"name": "away", "shape": "polygon", "vertices": [[0,0,2], [1,0,2], [1,1,2], [0,1,2]]},
+    {"name": "both", "shape": "polygon", "two_sided": true, "vertices": [[0,0,2], [0,1,2], [1,1,2], [1,0,2]]},
+    {"name": "wider", "shape": "polygon", "vertices": [[0,0,2], [0,3,2], [3,3,2], [3,0,2]]}], "blockers": [
+    {"name": "board", "shape": "polygon", "vertices": [[0,0,5], [1,0,5], [1,1,5], [0,1,5]]}, {"name": "block", "shape":
+     "polytope", "vertices": [[0,0,0], [2,0,0], [2,2,0], [0,2,0], [0,0,2], [2,0,2], [2,2,2], [0,2,2]]}]})");
+  ASSERT_EQ(gnomon("check on.scene.json --json on.json").code, 0);
+  EXPECT_THAT(read_json("on.json").at("doubts"),
+              testing::ElementsAre(testing::StartsWith("light \"into\": it lies on blocker \"block\" and shines into")));
+}
+
+TEST_F(CheckCommand, DoubtsReceiversThatAreBlockersOfAnotherMaterial) {
+  const auto doubts_of = [&](const std::string& blocker, const std::string& receiver) {
+    write("two.scene.json", R"({"gnomon": 1, "dimension": 3, "materials": [{"name": "red"}, {"name": "blue"}],
+      "lights": [{"name": "bulb",
+      "shape": "point", "position": [0, 0, 5]}], "blockers": [{"name": "table", "shape": "polygon", )" +
+                                blocker + R"( "vertices": [[0,0,0], [1,0,0], [1,1,0], [0,1,0]]}], "receivers": [
+      {"name": "top", "shape": "polygon", )" +
+                                receiver + R"( "vertices": [[1,0,0], [1,1,0], [0,1,0], [0,0,0]]}]})");
+    EXPECT_EQ(gnomon("check two.scene.json --json two.json").code, 0);
+    return read_json("two.json").at("doubts");
+  };
+  EXPECT_THAT(doubts_of(R"("material": "red",)", R"("material": "blue",)"),
+              testing::ElementsAre(testing::StartsWith("receiver \"top\": its vertices are those of blocker \"table\"")));
+  EXPECT_THAT(doubts_of(R"("material": "red",)", R"("material": "red",)"), IsEmpty());
+  EXPECT_THAT(doubts_of(R"("material": "red",)", ""), IsEmpty());
+}
+
 TEST_F(CheckCommand, NeverShortensAStrength) {
   write("named.scene.json", R"({"gnomon": 1, "dimension": 3, "blockers": [], "lights": [
     {"name": "lamp of the hall with a long name", "shape": "polygon", "radiance": 2.5,
