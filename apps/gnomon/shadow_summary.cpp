@@ -14,6 +14,8 @@ namespace {
 
 /// With more pairs than this, each gets one line.
 constexpr std::size_t most_blocks = 3;
+constexpr std::size_t most_lines = 40;
+constexpr std::size_t most_names = 8;
 
 std::string extent_text(const VolumeFacts& facts) {
   if (facts.empty) return "empty";
@@ -97,15 +99,19 @@ TextRow line(const ScenePair& pair, const ShadowResult& result, std::size_t inde
 
 /// Which pairs are in which position; nothing of the standard one.
 std::string positions_text(const std::vector<ScenePair>& pairs) {
-  std::map<std::string_view, std::string> others;
+  std::map<std::string_view, std::vector<const ScenePair*>> others;
   for (const ScenePair& pair : pairs) {
-    if (pair.position == Position::standard) continue;
-    std::string& list = others[name(pair.position)];
-    list += (list.empty() ? "" : ", ") + pair.light + " / " + pair.blocker;
+    if (pair.position != Position::standard) others[name(pair.position)].push_back(&pair);
   }
   if (others.empty()) return "position: standard\n";
   std::string text = "position: standard, but\n";
-  for (const auto& [position, list] : others) text += in_columns("  " + std::string(position) + ": " + list);
+  for (const auto& [position, of_it] : others) {
+    std::string list = "  " + std::string(position) + ": ";
+    const std::size_t shown = std::min(most_names, of_it.size());
+    for (std::size_t k = 0; k < shown; ++k) list += (k == 0 ? "" : ", ") + of_it[k]->light + " / " + of_it[k]->blocker;
+    if (shown < of_it.size()) list += " and " + std::to_string(of_it.size() - shown) + " more";
+    text += in_columns(list);
+  }
   return text;
 }
 
@@ -113,8 +119,11 @@ std::string table(const ShadowResult& result, const std::vector<ScenePair>& pair
   const bool planar = !result.planar_pairs.empty();
   const std::string extremal = planar ? "lines" : "planes";
   std::vector<TextRow> rows{{"light", "blocker", extremal, "occlusion", "umbra", "penumbra"}};
-  for (std::size_t i = 0; i < pairs.size(); ++i) rows.push_back(line(pairs[i], result, i));
-  return aligned(rows, 0) + '\n' +
+  const std::size_t shown = std::min(most_lines, pairs.size());
+  for (std::size_t i = 0; i < shown; ++i) rows.push_back(line(pairs[i], result, i));
+  const std::string others =
+      shown == pairs.size() ? "" : "and " + std::to_string(pairs.size() - shown) + " more; --json lists them all\n";
+  return aligned(rows, 0) + others + '\n' +
          in_columns(extremal + ": separating + supporting; " + (planar ? "areas" : "volumes") + ": in the box, in " +
                     size_unit(*result.scene) + ", * unbounded") +
          positions_text(pairs);

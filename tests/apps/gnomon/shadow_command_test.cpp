@@ -71,6 +71,21 @@ TEST_F(ShadowCommand, AsksForSomethingToWrite) {
   EXPECT_THAT(run.err, AllOf(HasSubstr("--out"), HasSubstr("--json")));
 }
 
+TEST_F(ShadowCommand, PrintsAtMost40PairsOfAMeshAndHowManyMoreThereAre) {
+  std::ostringstream mesh;
+  for (int k = 0; k < 50; ++k) {
+    mesh << "v " << k << " 0 0\nv " << k << ".5 0 0\nv " << k << " 1 0.25\nf " << 3 * k + 1 << ' ' << 3 * k + 2 << ' '
+         << 3 * k + 3 << '\n';
+  }
+  write("many.obj", mesh.str());
+  write("many.scene.json", R"({"gnomon": 1, "dimension": 3, "lights": [{"name": "lamp", "shape": "polygon",
+    "vertices": [[0,0,9], [0,1,9], [1,0,9]]}], "blockers": [{"name": "strip", "shape": "mesh", "file": "many.obj"}]})");
+  const Outcome run = gnomon("shadow many.scene.json --out many --json many.json");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, AllOf(HasSubstr("strip#39 "), Not(HasSubstr("strip#40 ")), HasSubstr("and 10 more; --json")));
+  EXPECT_EQ(read_json("many.json")["pairs"].size(), 50U);
+}
+
 TEST_F(ShadowCommand, PrintsNothingWhenQuiet) {
   const Outcome run = gnomon("shadow table.scene.json --out shadows --quiet");
   EXPECT_EQ(run.code, 0);
