@@ -43,7 +43,8 @@ std::string filling(const SceneBlocker& blocker, std::span<const Point3> points)
   }
   for (const ConvexPart& part : convex_parts(blocker)) {
     const auto* solid = std::get_if<ConvexSolid>(&part.shape);
-    if (solid && std::ranges::any_of(points, [&](const Point3& p) { return farthest_side(p, *solid) < 0; })) return "a solid";
+    if (solid && std::ranges::any_of(points, [&](const Point3& p) { return farthest_side(p, *solid) < 0; }))
+      return "a solid";
   }
   return "";
 }

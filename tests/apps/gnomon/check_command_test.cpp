@@ -62,8 +62,9 @@ TEST_F(CheckCommand, DoubtsLightsOnSolidsThatShineIntoThem) {
     {"name": "board", "shape": "polygon", "vertices": [[0,0,5], [1,0,5], [1,1,5], [0,1,5]]}, {"name": "block", "shape":
      "polytope", "vertices": [[0,0,0], [2,0,0], [2,2,0], [0,2,0], [0,0,2], [2,0,2], [2,2,2], [0,2,2]]}]})");
   ASSERT_EQ(gnomon("check on.scene.json --json on.json").code, 0);
-  EXPECT_THAT(read_json("on.json").at("doubts"),
-              testing::ElementsAre(testing::StartsWith("light \"into\": it lies on blocker \"block\" and shines into")));
+  EXPECT_THAT(
+      read_json("on.json").at("doubts"),
+      testing::ElementsAre(testing::StartsWith("light \"into\": it lies on blocker \"block\" and shines into")));
 }
 
 TEST_F(CheckCommand, DoubtsReceiversThatAreBlockersOfAnotherMaterial) {
@@ -77,8 +78,9 @@ TEST_F(CheckCommand, DoubtsReceiversThatAreBlockersOfAnotherMaterial) {
     EXPECT_EQ(gnomon("check two.scene.json --json two.json").code, 0);
     return read_json("two.json").at("doubts");
   };
-  EXPECT_THAT(doubts_of(R"("material": "red",)", R"("material": "blue",)"),
-              testing::ElementsAre(testing::StartsWith("receiver \"top\": its vertices are those of blocker \"table\"")));
+  EXPECT_THAT(
+      doubts_of(R"("material": "red",)", R"("material": "blue",)"),
+      testing::ElementsAre(testing::StartsWith("receiver \"top\": its vertices are those of blocker \"table\"")));
   EXPECT_THAT(doubts_of(R"("material": "red",)", R"("material": "red",)"), IsEmpty());
   EXPECT_THAT(doubts_of(R"("material": "red",)", ""), IsEmpty());
 }
