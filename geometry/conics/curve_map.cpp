@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/pending/disjoint_sets.hpp>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "geometry/numbers/rounding.h"
@@ -76,11 +77,24 @@ void CurveMap::add_side(const Side& side, std::uint32_t index) {
   stretches_[c].push_back({std::move(from), std::move(to), index, runs_as_side, std::nullopt});
 }
 
+/// The own parameter of a conic at the point of another of its parameters; nothing where it is infinite.
+std::optional<Rational> CurveMap::parameter_on(const FlatCurve& own, const FlatCurve& other, const Rational& at) {
+  for (const LinePencil& parameter : own.parameters) {
+    const auto [top, bottom] = parameter_along(parameter, other);
+    const Integer t = homogeneous_value(top, at, 2), b = homogeneous_value(bottom, at, 2);
+    if (b != 0) return Rational(t, b);
+    if (t != 0) return std::nullopt;
+    // The point about which these lines turn.
+  }
+  return std::nullopt;
+}
+
 /// The range of a curve's own parameter on which an arc of it lies that came with another one; nothing if it passes
 /// infinity.
-std::optional<Range> CurveMap::range_on(std::uint32_t curve, const FlatArc& arc) const {
-  const FlatCurve& own = curves_[curve];
+std::optional<Range> CurveMap::range_on(const FlatCurve& own, const FlatArc& arc) {
   if (own.is_straight) return Range{arc.from, arc.to};
+  const auto from = parameter_on(own, arc.curve, arc.from), to = parameter_on(own, arc.curve, arc.to);
+  if (!from || !to) return std::nullopt;
   for (const LinePencil& parameter : own.parameters) {
     auto [top, bottom] = parameter_along(parameter, arc.curve);
     const Polynomial t(std::move(top)), b(std::move(bottom));
@@ -89,19 +103,36 @@ std::optional<Range> CurveMap::range_on(std::uint32_t curve, const FlatArc& arc)
     const Polynomial common = greatest_common_divisor(t, b);
     const Polynomial left = common.degree() > 0 ? quotient(b, common) : b;
     if (!real_roots(left, arc.from, arc.to).empty()) return std::nullopt;
-    const auto value = [&](const Rational& at) -> std::optional<Rational> {
-      const auto p = arc.curve.at(at);
-      if (!p) return std::nullopt;
-      const auto at_p = [&](const Covector& c) -> Rational {
-        return Rational(c[0]) + Rational(c[1]) * p->x + Rational(c[2]) * p->y;
-      };
-      const Rational start = at_p(parameter.start), way = start - at_p(parameter.end);
-      if (way == 0) return std::nullopt;
-      return Rational(start / way);
-    };
-    const auto from = value(arc.from), to = value(arc.to);
-    if (!from || !to) continue;
     return *from < *to ? Range{*from, *to} : Range{*to, *from};
+  }
+  return std::nullopt;
+}
+
+/// Of an arc that passes infinity on the curve's parameter: gives the curve another one that is finite on all its
+/// arcs. Nothing if these cover all of the conic.
+std::optional<Range> CurveMap::range_after_moving_pole(std::uint32_t curve, const FlatArc& arc) {
+  std::vector<Rational> ends{Rational(-1), Rational(0), Rational(1), Rational(2)};
+  for (const Stretch& s : stretches_[curve]) ends.insert(ends.end(), {s.from, s.to});
+  for (const Rational& t : {arc.from, arc.to}) {
+    if (const auto there = parameter_on(curves_[curve], arc.curve, t)) ends.push_back(*there);
+  }
+  std::sort(ends.begin(), ends.end());
+  for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+    if (ends[k] == ends[k + 1]) continue;
+    const Rational pole = (ends[k] + ends[k + 1]) / 2;
+    const auto holds_pole = [&](const Stretch& s) { return s.from <= pole && pole <= s.to; };
+    if (pole == 0 || pole == 1 || std::ranges::any_of(stretches_[curve], holds_pole)) continue;
+    const FlatCurve other = with_pole(curves_[curve], pole);
+    const std::optional<Range> range = range_on(other, arc);
+    if (!range) continue;
+    for (Stretch& s : stretches_[curve]) {
+      const auto moved = [&](const Rational& t) -> Rational { return (pole - 1) * t / (pole - t); };
+      std::tie(s.from, s.to) = std::minmax(Rational(moved(s.from)), Rational(moved(s.to)));
+    }
+    const CGAL::Protect_FPU_rounding<true> upward;
+    curves_[curve] = other;
+    near_[curve] = NearCurve(other);
+    return range;
   }
   return std::nullopt;
 }
@@ -111,7 +142,8 @@ void CurveMap::add_arc(const NamedArc& named) {
   const std::uint32_t c = curve_like(named.arc.curve);
   Range range{named.arc.from, named.arc.to};
   if (curves_[c].point != named.arc.curve.point) {
-    const auto found = range_on(c, named.arc);
+    auto found = range_on(curves_[c], named.arc);
+    if (!found) found = range_after_moving_pole(c, named.arc);
     if (!found) {
       is_complete_ = false;
       return;

@@ -95,7 +95,9 @@ class CurveMap {
   void add_side(const Side& side, std::uint32_t index);
   void add_arc(const NamedArc& arc);
   std::uint32_t curve_like(const FlatCurve& curve);
-  std::optional<Range> range_on(std::uint32_t curve, const FlatArc& arc) const;
+  static std::optional<Rational> parameter_on(const FlatCurve& own, const FlatCurve& other, const Rational& at);
+  static std::optional<Range> range_on(const FlatCurve& own, const FlatArc& arc);
+  std::optional<Range> range_after_moving_pole(std::uint32_t curve, const FlatArc& arc);
   void find_breaks();
   void find_meetings(std::uint32_t a, std::uint32_t b);
   bool is_on_stretch(std::uint32_t curve, RealRoot& root) const;

@@ -186,6 +186,19 @@ FlatCurve straight_curve(const Covector& line) {
   return curve;
 }
 
+FlatCurve with_pole(const FlatCurve& conic, const Rational& pole) {
+  // The line at t is (1 - t) start + t end; with a multiple of the start in its place the ends keep their parameters.
+  const Rational factor = 1 - 1 / pole;
+  FlatCurve result = conic;
+  for (LinePencil& pencil : result.parameters) {
+    for (Integer& x : pencil.start) x *= numerator(factor);
+    for (Integer& x : pencil.end) x *= denominator(factor);
+  }
+  result.point = meeting_points(result.parameters[0], result.parameters[1]);
+  reduce(result.point);
+  return result;
+}
+
 std::optional<FlatPoint> FlatCurve::at(const Rational& t) const {
   const Integer w = homogeneous_value(point[0], t, 2);
   if (w == 0) return std::nullopt;

@@ -45,6 +45,11 @@ struct FlatCurve {
 
 FlatCurve straight_curve(const Covector& line);
 
+/// The same conic by another parameter, which is infinite at the point whose parameter is `pole` now: a point at t has
+/// (pole - 1) t / (pole - t) then.
+/// Requires: pole is not 0, nor 1.
+FlatCurve with_pole(const FlatCurve& conic, const Rational& pole);
+
 /// A part of a curve, from one t to a greater one, ends included.
 struct FlatArc {
   FlatCurve curve;

@@ -14,7 +14,9 @@
 // a vertex and an edge, found elsewhere. Or it passes an end of what the plane has of the light (light_section_), or a
 // third blocker that the plane cuts, at a corner in the plane or where it cuts an edge (find_apexes): a blocker that it
 // does not cut has no inside in it and stops nothing. So every end lies on a line through such an apex that meets near
-// and far, and these lines are what the wedges hold.
+// and far, and these lines are what the wedges hold. Where near and far meet, all lines through that place do, and it
+// may be the only end that is not seen along the receiver's plane (a fin between a window and the floor): such a place
+// is an apex, too (take_meeting).
 
 namespace gnomon::event {
 namespace {
@@ -60,7 +62,9 @@ class CoplanarPairs {
     find_apexes({facet.loop[0], facet.loop[1], facet.loop[2]});
     light_section_.assign(facet.light_ends.begin(), facet.light_ends.end());
     for (const EdgeId e : facet.edges) {
-      take_wedges(e, {facet.light_ends[0], facet.light_ends[1], true, facet.name}, f);
+      const FarEdge far{facet.light_ends[0], facet.light_ends[1], true, facet.name};
+      take_wedges(e, far, f);
+      if (!lies_in_light_plane(e)) take_meeting({facet.loop[0], facet.loop[1], facet.loop[2]}, e, far, f);
     }
     forget_apexes();
   }
@@ -114,7 +118,12 @@ class CoplanarPairs {
     if (far_edge) find_light_section(*plane);
     take_wedges(near, far, {});
     if (far_edge) take_wedges_from_light(near, far);
+    take_meeting(*plane, near, far, {});
     forget_apexes();
+  }
+
+  bool lies_in_light_plane(EdgeId e) const {
+    return scene_.light_side(scene_.edges[e].a) == 0 && scene_.light_side(scene_.edges[e].b) == 0;
   }
 
   /// The plane of two blockers' edges has one point of a linear light: all lines that matter come from there.
@@ -200,13 +209,89 @@ class CoplanarPairs {
 
   void forget_apexes() { scene_.points.resize(point_count_); }
 
-  /// True of a point of a segment between two points of the input.
+  bool is_served(PointId p) const {
+    const int s = scene_.light_side(p);
+    return s > 0 || (s < 0 && scene_.is_two_sided);
+  }
+
+  /// Where two segments of the plane have one point in common, if they have.
+  std::optional<PointId> meeting(const PlaneIds& plane, const std::array<PointId, 2>& p,
+                                 const std::array<PointId, 2>& q) {
+    for (const PointId end : p) {
+      if (end == q[0] || end == q[1] || lies_on(end, q[0], q[1])) return end;
+    }
+    for (const PointId end : q) {
+      if (lies_on(end, p[0], p[1])) return end;
+    }
+    const auto parts = [&](const std::array<PointId, 2>& line, const std::array<PointId, 2>& ends) {
+      const PlaneIds across{line[0], line[1], beside_};
+      return side(across, ends[0]) * side(across, ends[1]) < 0;
+    };
+    if (side(plane, beside_) == 0 || !parts(p, q) || !parts(q, p)) return std::nullopt;
+    return add_crossing({p[0], p[1], beside_}, q[0], q[1]);
+  }
+
+  /// The place at the share s of the way from one point to another, also beyond it or the other way.
+  PointId add_on_line(PointId from, PointId to, const ExactReal& s) {
+    const auto c = coordinates<ExactReal>(scene_.points[from]), d = coordinates<ExactReal>(scene_.points[to]);
+    EventPoint point;
+    point.kind = EventPoint::Kind::constructed;
+    point.exact.emplace();
+    for (std::size_t k = 0; k < 3; ++k) (*point.exact)[k] = c[k] * d[3] + s * (d[k] * c[3] - c[k] * d[3]);
+    (*point.exact)[3] = c[3] * d[3];
+    point.input = rounded(*point.exact);
+    scene_.points.push_back(std::move(point));
+    return static_cast<PointId>(scene_.points.size() - 1);
+  }
+
+  /// Where the near edge meets the far one. An end of each runs to the same side of the lines between the near one and
+  /// what continues the far one beyond the place: there they are seen in line.
+  void take_meeting(const PlaneIds& plane, EdgeId near, const FarEdge& far, std::optional<std::uint32_t> facet) {
+    const std::array<PointId, 2> near_ends{scene_.edges[near].a, scene_.edges[near].b};
+    const std::optional<PointId> place = meeting(plane, near_ends, {far.a, far.b});
+    if (!place || (!far.is_on_light && !is_served(*place))) return;
+    for (const PointId n : near_ends) {
+      if (n == *place || (far.is_on_light && !is_served(n))) continue;
+      for (const PointId f : {far.a, far.b}) {
+        if (f == *place) continue;
+        const std::size_t before = scene_.points.size();
+        take_meeting_of(plane, *place, n, f, near, far, facet);
+        scene_.points.resize(before);
+      }
+    }
+  }
+
+  void take_meeting_of(const PlaneIds& plane, PointId place, PointId n, PointId f, EdgeId near, const FarEdge& far,
+                       std::optional<std::uint32_t> facet) {
+    if (far.is_on_light) {
+      return take_({WedgeKind::from_light_place, place, n, add_on_line(place, f, -1), 0, near, facet, far});
+    }
+    const std::vector<PointId> light = light_outline(plane);
+    if (light.size() != 2) return;
+    // Of the far edge counts to which side it runs; so near the place, before the light.
+    const ExactReal little = 0x1p-40;
+    const FarEdge beside{add_on_line(place, n, -little), add_on_line(place, f, little), false, far.name};
+    take_({WedgeKind::from_light_edge, place, light[0], light[1], 0, near, facet, beside});
+  }
+
+  /// Where the plane cuts the light's outline.
+  std::vector<PointId> light_outline(const PlaneIds& plane) {
+    std::vector<PointId> ends;
+    for (const LightEdge& e : scene_.light_edges) {
+      const int at_a = side(plane, e.a), at_b = side(plane, e.b);
+      if (at_a == 0) ends.push_back(e.a);
+      if (at_a * at_b < 0) ends.push_back(add_crossing(plane, e.a, e.b));
+    }
+    return ends;
+  }
+
+  /// True of a point of a segment between two points.
   bool lies_on(PointId p, PointId a, PointId b) const {
     if (Pencil(scene_.points, p, a, b).is_plane()) return false;
     const auto x = coordinates<ExactReal>(scene_.points[p]), c = coordinates<ExactReal>(scene_.points[a]),
                d = coordinates<ExactReal>(scene_.points[b]);
     for (std::size_t k = 0; k < 3; ++k) {
-      const ExactReal from_a = x[k] - x[3] * c[k], from_b = x[k] - x[3] * d[k];
+      const ExactReal from_a = x[k] * c[3] - x[3] * c[k], from_b = x[k] * d[3] - x[3] * d[k];
       if (CGAL::sign(from_a) * CGAL::sign(from_b) > 0) return false;
     }
     return true;

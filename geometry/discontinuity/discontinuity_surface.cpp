@@ -42,6 +42,7 @@ class SurfaceBuilder {
 
   std::vector<std::vector<Point3>> polygons(const Wedge& wedge) {
     polygons_.clear();
+    if (wedge.kind == event::WedgeKind::from_light_place) return {};  // nothing that the lines would begin behind
     Pencil pencil(scene_.points, wedge.apex, wedge.a, wedge.b);
     {
       const CGAL::Protect_FPU_rounding<true> upward;

@@ -181,12 +181,17 @@ class EventScene::Builder {
       scene_.cut_vertices.push_back({id, {EventOf::light, {}, EventIndex{index}}});
       return id;
     };
-    for (const LightCut& cut : light_cuts(scene_)) {
+    const std::vector<LightCut> cuts = light_cuts(scene_);
+    for (const LightCut& cut : cuts) {
       const PointId a = add_vertex(cut.ends[0]);
       if (scene_.kind == LightKind::area) {
         ++index;
         scene_.cut_edges.push_back({a, add_vertex(cut.ends[1]), {EventOf::light, {}, EventIndex{index - 1}}});
       }
+      ++index;
+    }
+    for (const EventPoint& touch : light_touches(scene_, cuts)) {
+      add_vertex(touch);
       ++index;
     }
   }

@@ -96,7 +96,8 @@ class EventScene {
   std::vector<EventPoint> points;
   std::vector<LightVertex> light_vertices;  ///< of an area light: in order
   std::vector<LightEdge> light_edges;
-  /// Where blockers meet the light: their ends count as vertices of the light, they count as edges.
+  /// Where blockers meet the light: places where they touch it and the ends of what they cut count as vertices of the
+  /// light, what they cut counts as edges.
   std::vector<LightVertex> cut_vertices;
   std::vector<LightEdge> cut_edges;
   std::vector<CuttingFacet> cutting_facets;

@@ -23,6 +23,40 @@ class LightCuts {
     return std::move(cuts_);
   }
 
+  std::vector<ExactVector> touches_of_area_light() {
+    const auto& l = scene_.light_plane;
+    const ReceiverPlane plane(scene_.points[l[0]].input, scene_.points[l[1]].input, scene_.points[l[2]].input);
+    std::vector<FlatPoint> outline;
+    for (const LightVertex& v : scene_.light_vertices) outline.push_back(plane.flat(at(v.point)));
+    std::vector<ExactVector> touches;
+    const auto add = [&](const std::vector<PointId>& loop) {
+      for (const FlatPoint& p : ends_in_light_plane(loop, plane)) {
+        if (is_in(p, outline)) touches.push_back(plane.spatial(p));
+      }
+    };
+    for (const Shape& shape : scene_.shapes) {
+      if (!shape.is_solid) add(shape.corners);
+      for (const auto& loop : shape.facets) add(loop);
+    }
+    return touches;
+  }
+
+  std::vector<ExactVector> touches_of_linear_light() {
+    const ExactVector a = at(scene_.light_edges[0].a), b = at(scene_.light_edges[0].b);
+    std::vector<ExactVector> touches;
+    for (const BlockerEdge& e : scene_.edges) {
+      const ExactVector c = at(e.a), d = at(e.b);
+      const ExactVector of_a = cross(c - a, d - a), of_b = cross(c - b, d - b), of_ab = cross(b - a, d - c);
+      if (dot(cross(b - a, c - a), d - a) != 0 || is_zero(of_ab)) continue;
+      // In one plane, and not parallel: the shares of the way along both.
+      const Rational whole = dot(of_ab, of_ab);
+      const Rational share = dot(cross(c - a, d - c), of_ab) / whole, other = dot(cross(c - a, b - a), of_ab) / whole;
+      if (share < 0 || share > 1 || other < 0 || other > 1) continue;
+      touches.push_back(a + share * (b - a));
+    }
+    return touches;
+  }
+
   std::vector<LightCut> of_linear_light() {
     const ExactVector a = at(scene_.light_edges[0].a), b = at(scene_.light_edges[0].b);
     for (const Shape& shape : scene_.shapes) {
@@ -35,13 +69,21 @@ class LightCuts {
  private:
   ExactVector at(PointId id) const { return exact(scene_.points[id].input); }
 
-  /// The part of a loop's polygon in the light's plane, inside the light.
-  void add_segment(const std::vector<PointId>& loop, const ReceiverPlane& plane,
-                   const std::vector<FlatPoint>& outline) {
+  static bool is_in(const FlatPoint& p, const std::vector<FlatPoint>& outline) {
+    Sides sides;
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+      const FlatPoint &a = outline[k], &b = outline[(k + 1) % outline.size()];
+      sides.add(Rational((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)).sign());
+    }
+    return !sides.cross();
+  }
+
+  /// Of a loop's polygon, the ends of what lies in the light's plane; nothing if all does.
+  std::vector<FlatPoint> ends_in_light_plane(const std::vector<PointId>& loop, const ReceiverPlane& plane) const {
     const std::size_t n = loop.size();
     std::vector<int> sides(n);
     for (std::size_t k = 0; k < n; ++k) sides[k] = scene_.light_side(loop[k]);
-    if (std::all_of(sides.begin(), sides.end(), [](int s) { return s == 0; })) return;
+    if (std::all_of(sides.begin(), sides.end(), [](int s) { return s == 0; })) return {};
     std::vector<FlatPoint> ends;
     for (std::size_t k = 0; k < n; ++k) {
       const std::size_t next = (k + 1) % n;
@@ -51,6 +93,13 @@ class LightCuts {
       const Rational at_p = plane.plane().height(p), at_q = plane.plane().height(q);
       ends.push_back(plane.flat(p + Rational(at_p / (at_p - at_q)) * (q - p)));
     }
+    return ends;
+  }
+
+  /// The part of a loop's polygon in the light's plane, inside the light.
+  void add_segment(const std::vector<PointId>& loop, const ReceiverPlane& plane,
+                   const std::vector<FlatPoint>& outline) {
+    const std::vector<FlatPoint> ends = ends_in_light_plane(loop, plane);
     if (ends.size() != 2) return;
     FlatSegment segment{ends[0], ends[1], 0};
     if (!clip(segment, outline)) return;
@@ -82,6 +131,24 @@ std::vector<LightCut> light_cuts(const EventScene& scene) {
   if (scene.kind == LightKind::area) return cuts.of_area_light();
   if (scene.kind == LightKind::linear) return cuts.of_linear_light();
   return {};
+}
+
+std::vector<EventPoint> light_touches(const EventScene& scene, const std::vector<LightCut>& cuts) {
+  LightCuts finder(scene);
+  std::vector<ExactVector> touches = scene.kind == LightKind::area     ? finder.touches_of_area_light()
+                                     : scene.kind == LightKind::linear ? finder.touches_of_linear_light()
+                                                                       : std::vector<ExactVector>{};
+  std::vector<ExactVector> known;
+  for (const LightVertex& v : scene.light_vertices) known.push_back(exact_place(scene.points[v.point]));
+  for (const LightCut& cut : cuts) {
+    for (const EventPoint& end : cut.ends) known.push_back(exact_place(end));
+  }
+  std::sort(touches.begin(), touches.end());
+  touches.erase(std::unique(touches.begin(), touches.end()), touches.end());
+  std::erase_if(touches, [&](const ExactVector& p) { return std::find(known.begin(), known.end(), p) != known.end(); });
+  std::vector<EventPoint> points;
+  for (const ExactVector& p : touches) points.push_back(constructed_point(p));
+  return points;
 }
 
 std::optional<LightCut> plane_cut(const EventScene& scene, const std::vector<PointId>& loop) {

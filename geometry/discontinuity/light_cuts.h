@@ -21,6 +21,11 @@ struct LightCut {
 /// Exactness: exact; the points bear homogeneous coordinates.
 std::vector<LightCut> light_cuts(const EventScene& scene);
 
+/// Where blockers touch the light in a point: with a vertex, beside its outline, or a linear one with an edge. Each
+/// once, without vertices of the light and ends of cuts.
+/// Requires, Exactness: as above.
+std::vector<EventPoint> light_touches(const EventScene& scene, const std::vector<LightCut>& cuts);
+
 /// The points in which the plane of a loop cuts the light's outline, if it leaves vertices of the light on both sides.
 /// Requires, Exactness: as above.
 std::optional<LightCut> plane_cut(const EventScene& scene, const std::vector<PointId>& loop);

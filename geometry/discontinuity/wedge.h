@@ -20,7 +20,13 @@ enum class WedgeKind : std::uint8_t {
   from_light_edge,    ///< from the edge, one of the light, past the apex, a blocker's vertex
   edge_first,         ///< past a blocker's edge, then past the apex, a blocker's vertex
   apex_first,         ///< past the apex, a blocker's vertex, then past a blocker's edge
+  from_light_place,   ///< from the apex, where a blocker's edge meets the light: a and b only bound the lines
 };
+
+/// True of lines that begin at the apex, on the light.
+constexpr bool is_from_light_at_apex(WedgeKind kind) {
+  return kind == WedgeKind::from_light_vertex || kind == WedgeKind::from_light_place;
+}
 
 /// The edge of a coplanar pair that is nearer to the light, by its ends.
 struct FarEdge {
@@ -122,7 +128,7 @@ class WedgeTracer {
 
 /// The half of a wedge's lines beyond the farther element, where receivers are.
 constexpr Cone receivers_cone(WedgeKind kind) {
-  return kind == WedgeKind::from_light_vertex || kind == WedgeKind::apex_first ? Cone::towards : Cone::away;
+  return is_from_light_at_apex(kind) || kind == WedgeKind::apex_first ? Cone::towards : Cone::away;
 }
 
 }  // namespace gnomon::event

@@ -32,6 +32,11 @@ RoughVector direction(const EventPoint& from, const Point3& to) {
   return {to.x - from.input.x, to.y - from.input.y, to.z - from.input.z};
 }
 
+/// Receivers lie beyond a blocker's edge.
+bool is_beyond_edge(WedgeKind kind) {
+  return kind == WedgeKind::from_light_vertex || kind == WedgeKind::apex_first;
+}
+
 Cone opposite(Cone cone) {
   return cone == Cone::towards ? Cone::away : Cone::towards;
 }
@@ -99,7 +104,7 @@ FunctionId WedgeTracer::light_function(Pencil& pencil, const Wedge& wedge) {
     light_function_ = pencil.add_plane({light.a, light.b, off}, side);
   }
   if (!light_function_) {
-    const int side = wedge.kind == WedgeKind::from_light_vertex ? 1 : scene_.light_side(wedge.apex);
+    const int side = is_from_light_at_apex(wedge.kind) ? 1 : scene_.light_side(wedge.apex);
     light_function_ = pencil.add_plane(scene_.light_plane, side);
   }
   return *light_function_;
@@ -164,8 +169,8 @@ bool WedgeTracer::keep_far(Pencil& pencil, const Wedge& wedge) {
 bool WedgeTracer::find_allowed(Pencil& pencil, const Wedge& wedge) {
   const Cone cone = receivers_cone(wedge.kind);
   allowed_.assign(1, {{Pencil::end_a, Cone::towards}, {Pencil::end_b, Cone::towards}});
-  const bool from_light_vertex = wedge.kind == WedgeKind::from_light_vertex;
-  if (!from_light_vertex && wedge.kind != WedgeKind::from_light_edge) {
+  const bool from_apex = is_from_light_at_apex(wedge.kind);
+  if (!from_apex && wedge.kind != WedgeKind::from_light_edge) {
     Nodes light = light_section(pencil);
     if (light.size() < 2 || !pencil.clip_to(light, opposite(cone))) return false;
     if (wedge.kind == WedgeKind::edge_first && !pencil.clip(light, Pencil::x, -1)) return false;
@@ -173,7 +178,7 @@ bool WedgeTracer::find_allowed(Pencil& pencil, const Wedge& wedge) {
     if (!range || !intersect(pencil, allowed_[0], *range)) return false;
   }
   if (!keep_far(pencil, wedge)) return false;
-  return from_light_vertex || subtract_towards_light(pencil, wedge, opposite(cone));
+  return from_apex || subtract_towards_light(pencil, wedge, opposite(cone));
 }
 
 /// Returns: false if a blocker on the apex stops every line.
@@ -189,7 +194,7 @@ bool WedgeTracer::collect_obstacles(Pencil& pencil, const Wedge& wedge, Cone con
   for (const std::uint32_t s : found_) {
     const Shape& shape = scene_.shapes[s];
     if (!section(pencil, shape, nodes)) continue;
-    const bool on_apex = !shape.is_solid && wedge.kind != WedgeKind::from_light_vertex;
+    const bool on_apex = !shape.is_solid && !is_from_light_at_apex(wedge.kind);
     if (on_apex && passes_through_apex(pencil, nodes)) return false;
     if (!pencil.clip_to(nodes, cone)) continue;
     if (const auto range = pencil.range(nodes, cone)) obstacles_.push_back({s, nodes, *range});
@@ -201,8 +206,8 @@ bool WedgeTracer::receiver_range(Pencil& pencil, const Wedge& wedge, Cone cone, 
                                  RayRange& range) {
   Nodes nodes;
   if (!section(pencil, receiver, nodes) || !pencil.clip_to(nodes, cone)) return false;
-  if (cone == Cone::towards && !pencil.clip(nodes, Pencil::x, -1)) return false;
-  if (wedge.kind == WedgeKind::from_light_vertex && scene_.kind == LightKind::area && !scene_.is_two_sided &&
+  if (is_beyond_edge(wedge.kind) && !pencil.clip(nodes, Pencil::x, -1)) return false;
+  if (is_from_light_at_apex(wedge.kind) && scene_.kind == LightKind::area && !scene_.is_two_sided &&
       !pencil.clip(nodes, light_function(pencil, wedge), 1)) {
     return false;
   }
@@ -294,7 +299,7 @@ bool WedgeTracer::begin(Pencil& pencil, const Wedge& wedge) {
     region[2] = reversed(region[2]);
     region[3] = reversed(region[3]);
   }
-  find_boxes(scene_.receiver_boxes, std::span(region).first(cone == Cone::towards ? 5 : 4), found_receivers_);
+  find_boxes(scene_.receiver_boxes, std::span(region).first(is_beyond_edge(wedge.kind) ? 5 : 4), found_receivers_);
   return true;
 }
 
@@ -312,7 +317,7 @@ bool WedgeTracer::look_along(Pencil& pencil, const Wedge& wedge) {
   Nodes nodes;
   for (const std::uint32_t r : found_receivers_) {
     if (!section(pencil, scene_.receivers[r], nodes) || !pencil.clip_to(nodes, cone)) continue;
-    if (cone == Cone::towards && !pencil.clip(nodes, Pencil::x, -1)) continue;
+    if (is_beyond_edge(wedge.kind) && !pencil.clip(nodes, Pencil::x, -1)) continue;
     if (const auto range = pencil.range(nodes, cone)) obstacles_.push_back({0, nodes, *range});
   }
   return true;

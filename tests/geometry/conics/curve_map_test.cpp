@@ -98,6 +98,33 @@ TEST(CurveMap, OfAnArcThroughTwoSidesHasTwoCells) {
   EXPECT_EQ(signs_of_cells(map).size(), 2U);
 }
 
+TEST(CurveMap, BringsArcsOfOneConicTogetherWhoseParametersAreInfiniteOnEachOther) {
+  // The left point of the circle is infinite on its own parameter, the point at 1/64 on the other's.
+  const FlatArc first = circle(0, 0, {-1, 3}).front();
+  const FlatCurve other = with_pole(first.curve, Rational(1, 64));
+  const auto moved = [](const Rational& t) -> Rational { return Rational(-63, 64) * t / (Rational(1, 64) - t); };
+  EXPECT_EQ(other.at(moved(3)).value(), first.curve.at(3).value());
+  // From 2 over infinity to -2. A chord closes the gap to -1.
+  const FlatArc second{other, std::min(moved(2), moved(-2)), std::max(moved(2), moved(-2))};
+  const NamedArc chord = segment(first.curve.at(-2).value(), first.curve.at(-1).value(), 2);
+  for (const bool is_first : {true, false}) {
+    const std::vector<NamedArc> arcs =
+        is_first ? named({first}) + named({second}, 1) : named({second}) + named({first}, 1);
+    const CurveMap map(square(2), arcs + std::vector{chord});
+    ASSERT_TRUE(map.is_complete());
+    expect_planar(map);
+    EXPECT_EQ(signs_of_cells(map).size(), 2U);
+    EXPECT_EQ(CurveMap(square(2), arcs).cells().size(), 1U);
+  }
+}
+
+TEST(CurveMap, IsNotCompleteWhereArcsCoverAllOfAConic) {
+  const FlatArc most = circle(0, 0, {-1000, 1000}).front();
+  const FlatCurve other = with_pole(most.curve, Rational(1, 64));
+  const FlatArc all{other, -100000, 100000};
+  EXPECT_FALSE(CurveMap(square(2), named({most}) + named({all}, 1)).is_complete());
+}
+
 TEST(CurveMap, OfAnArcThroughAVertexHasTwoCells) {
   const CurveMap map(square(2), named(circle(-2, -1)));
   expect_planar(map);

@@ -148,6 +148,10 @@ TEST(ReceiverSideAgreement, LabelsOfTanglesAreThoseOfTheDefinition) {
   EXPECT_GT(8 * tally.with_horizon, tally.meshes);
 }
 
+TEST(ReceiverSideAgreement, LabelsBehindWhatTouchesTheLightAreThoseOfTheDefinition) {
+  compare_all(case_count, test_support::luminaire);
+}
+
 TEST(ReceiverSideAgreement, LabelsBehindMeshesAreThoseOfTheDefinition) {
   compare_all(case_count / 10, test_support::mesh_under_lamp);
 }

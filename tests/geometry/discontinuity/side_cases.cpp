@@ -267,6 +267,37 @@ std::optional<Light> tangle_light(Dice& dice) {
   return AreaLight{*std::move(polygon), dice.once_in(2)};
 }
 
+/// A window that stands on the floor or hangs above it, a tube or a lamp; of few digits, often symmetric.
+std::optional<Light> touched_light(Dice& dice) {
+  const double z = height(dice, {0, 0, 1, 2}), rise = dice.draw(1, 2), y = dice.draw(1, 2);
+  if (dice.once_in(5)) return LinearLight{{-1, 0, z}, {dice.once_in(2) ? 1.0 : -1.0, 0, z + 1}};
+  Points points{{0, -y, z}, {0, y, z}, {0, y, z + rise}, {0, -y, z + rise}};
+  if (dice.once_in(3)) points = {{0, -y, z}, {0, y, z}, {0, half(dice, -1, 1), z + rise}};
+  if (dice.once_in(4)) points = {{0, 0, 2}, {0, y, 2}, {half(dice, 1, 2), half(dice, 0, 1), 2 + half(dice, 0, 1)}};
+  if (dice.once_in(2)) std::reverse(points.begin(), points.end());
+  auto polygon = polygon_of(points);
+  if (!polygon) return std::nullopt;
+  return AreaLight{*std::move(polygon), dice.once_in(2)};
+}
+
+/// A vertex of the light, or half way between two.
+Point3 point_on(Dice& dice, const Light& light) {
+  const Points points = points_of(light);
+  const Point3 a = dice.one_of(points), b = dice.once_in(2) ? a : dice.one_of(points);
+  return {(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2};
+}
+
+Points touching_points(Dice& dice, const Light& light) {
+  Points points{point_on(dice, light)};
+  for (int n = dice.draw(2, 3); n > 0; --n) {
+    const int kind = dice.draw(0, 4);
+    if (kind == 0) points.push_back(point_on(dice, light));
+    if (kind == 1) points.push_back({half(dice, -1, 3), half(dice, -2, 2), height(dice, {0.5, 1, 2, 3})});
+    if (kind > 1) points.push_back({half(dice, -1, 3), half(dice, -1, 1), 0});
+  }
+  return points;
+}
+
 /// Draws until there is something.
 template <class Draw>
 auto drawn_from(Dice& dice, const Draw& draw) {
@@ -320,6 +351,14 @@ SideCase tangle(Dice& dice) {
   for (const ConvexPolygon& r : {through, facet_of(dice, dice.one_of(drawn.blockers))}) {
     drawn.receivers.push_back(turned(dice, drawn, r));
   }
+  return drawn;
+}
+
+SideCase luminaire(Dice& dice) {
+  SideCase drawn{drawn_from(dice, touched_light), {}, {}};
+  add_blockers(dice, drawn, 3, [&](Dice& d) { return touching_points(d, drawn.light); });
+  drawn.receivers.push_back(ConvexPolygon::from_points({{-6, -5, 0}, {6, -5, 0}, {6, 5, 0}, {-6, 5, 0}}));
+  drawn.receivers.push_back(turned(dice, drawn, wall_receiver(dice, drawn)));
   return drawn;
 }
 

@@ -28,6 +28,9 @@ SideCase room(Dice& dice);
 /// edges and facets of the others, ends on them or passes through them.
 SideCase tangle(Dice& dice);
 
+/// Fins, baffles and screens that touch the light, at its vertices, on its edges or inside, and the floor.
+SideCase luminaire(Dice& dice);
+
 /// The case as a scene file.
 std::string scene_text(const SideCase& drawn);
 
