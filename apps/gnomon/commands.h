@@ -55,6 +55,7 @@ ExitCode discontinuities_command(Arguments arguments);
 ExitCode receivers_command(Arguments arguments);
 
 /// `gnomon view-factors`: the share of what one surface sends out that reaches another, behind all blockers.
+ExitCode illuminate_command(Arguments arguments);
 ExitCode view_factors_command(Arguments arguments);
 
 /// `gnomon render`: a picture of a scene or of a folder written by `gnomon shadow`.

@@ -15,6 +15,7 @@ constexpr std::array commands{
     Command{"radiance", "what surfaces reflect to eyes, at given points", radiance_command},
     Command{"discontinuities", "surfaces where what is seen of a light changes its formula", discontinuities_command},
     Command{"receivers", "regions and discontinuity mesh on every receiver", receivers_command},
+    Command{"illuminate", "meshes of receivers whose irradiance is within a tolerance", illuminate_command},
     Command{"view-factors", "view factors between surfaces, each with a bound", view_factors_command},
     Command{"render", "makes a picture of a scene or of a result folder", render_command},
     Command{"image", "a picture of what a scene's camera sees, with error bounds", image_command},

@@ -21,6 +21,7 @@
 #include "gnomon/flatland_partition.h"
 #include "gnomon/flatland_receiver.h"
 #include "gnomon/flatland_regions.h"
+#include "gnomon/illumination.h"
 #include "gnomon/irradiance.h"
 #include "gnomon/light.h"
 #include "gnomon/light_parts.h"

@@ -64,9 +64,11 @@ bool says_it_is_ours(const fs::path& file) {
 }
 
 bool may_be_ours(const fs::path& relative) {
-  constexpr std::array<std::string_view, 11> roots = {
-      "view.py",    "shadow.vtm",    "shadow.vtpc",    "shadow.vtp",          "shadow.obj",          "shadow.gltf",
-      "shadow.pvd", "receivers.vtm", "receivers.vtpc", "discontinuities.vtm", "discontinuities.vtpc"};
+  constexpr std::array<std::string_view, 13> roots = {
+      "view.py",          "shadow.vtm",          "shadow.vtpc",          "shadow.vtp",
+      "shadow.obj",       "shadow.gltf",         "shadow.pvd",           "receivers.vtm",
+      "receivers.vtpc",   "discontinuities.vtm", "discontinuities.vtpc", "illumination.vtm",
+      "illumination.vtpc"};
   if (std::ranges::count(roots, std::string_view(relative.native())) > 0) return true;
   const std::string ending = relative.extension().string();
   const bool is_leaf = ending == ".vtp" || ending == ".vtu" || ending == ".stl" || ending == ".vtm";

@@ -286,6 +286,25 @@ def show_divisions(result):
                 simple.Hide(source, result.view)
 
 
+def show_illumination(result):
+    """Meshes of receivers by the irradiance at their points, their discontinuities there to be switched on."""
+    source = result.part("illumination", result.select("illumination"))
+    if source is None:
+        return
+    display = result.show(source, "edge")
+    simple.ColorBy(display, ("POINTS", "irradiance"))
+    display.RescaleTransferFunctionToDataRange(False)
+    display.Ambient = 1.0
+    display.Diffuse = 0.0
+    table = simple.GetColorTransferFunction("irradiance")
+    table.ApplyPreset("Inferno (matplotlib)", True)
+    show_legend(result, table, "irradiance [W/m^2]")
+    lines = result.part("discontinuities of illumination", result.select("illumination_edges"))
+    if lines is not None:
+        result.show(lines, "edge").LineWidth = 1.0
+        simple.Hide(lines, result.view)
+
+
 def show_hidden(result, light):
     """What is there to be switched on."""
     others = [b for b in result.select("volume") if b["path"][1] != light]
@@ -316,7 +335,8 @@ def show_space(result):
     lamp = [b for b in result.select("light") if b["path"][-1] == light]
     suns = [b for b in lamp if b in result.suns()]
     result.show(result.part("light " + str(light), [b for b in lamp if b not in suns]), "light", edges=True)
-    divided = {b["path"][2] for b in result.select("receiver_faces", light)}
+    meshed = {b["path"][1].split("/")[0] for b in result.select("illumination")}
+    divided = {b["path"][2] for b in result.select("receiver_faces", light)} | meshed
     show_blockers(result, divided)
     receivers = result.select("receiver") + result.select("receiver_mesh")
     plain = [b for b in receivers if b["path"][-1] not in divided]
@@ -329,9 +349,12 @@ def show_space(result):
     umbrae = show_volume(result, light, "umbra", 0.55, (0,))
     penumbrae = show_volume(result, light, "penumbra", 0.3, (0, 3))
     show_divisions(result)
+    show_illumination(result)
     show_hidden(result, light)
     set_camera(result.view, result.up)
     result.show(result.part("sun " + str(light), suns), "light")  # an arrow beside the scene, which frames nothing
+    if meshed:
+        return []
     if divided:
         return [name for _, name in REGIONS if name != "unresolved_eee"]
     return [name for name, source in (("umbra", umbrae), ("penumbra", penumbrae)) if source is not None]

@@ -1,0 +1,315 @@
+#include "gnomon/illumination.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "geometry/numbers/vector3.h"
+#include "geometry/parallel.h"
+#include "gnomon/errors.h"
+#include "gnomon/receiver_mesh.h"
+#include "shading/illumination/brightest_place.h"
+#include "shading/illumination/coplanar_receivers.h"
+#include "shading/illumination/outlines.h"
+#include "shading/illumination/refinement.h"
+
+namespace gnomon {
+namespace {
+
+using illumination::extent_of;
+using illumination::HalvingTriangle;
+using illumination::LightsTogether;
+using illumination::none;
+using illumination::Outline;
+using illumination::Probe;
+using illumination::ReceiverTraces;
+using illumination::Refinement;
+using illumination::RefinementGoal;
+using illumination::smooth;
+using illumination::Trace;
+using illumination::TriangleState;
+
+double illuminated_area(const Point3& a, const Point3& b, const Point3& c) {
+  const Vector3<double> n = cross(step(a, b), step(a, c));
+  return std::hypot(n.x, n.y, n.z) / 2;
+}
+
+double illuminated_area(const IlluminationMesh& mesh, const IlluminationFace& face) {
+  const auto& [a, b, c] = face.corners;
+  return illuminated_area(mesh.points[a], mesh.points[b], mesh.points[c]);
+}
+
+/// What is known of each receiver before it is meshed.
+struct ReceiverFacts {
+  ReceiverTraces traces;
+  std::vector<Probe> probes;
+  std::optional<Probe> brightest;
+};
+
+void append(ReceiverTraces& all, ReceiverTraces more) {
+  all.traces.insert(all.traces.end(), more.traces.begin(), more.traces.end());
+  all.on_border.insert(all.on_border.end(), more.on_border.begin(), more.on_border.end());
+  all.inside.insert(all.inside.end(), more.inside.begin(), more.inside.end());
+}
+
+/// One group of receivers as it is meshed, and the meshes made of it.
+class GroupMeshes {
+ public:
+  GroupMeshes(const Refinement& refined, LightsTogether& lights, unsigned threads)
+      : refined_(refined), lights_(lights), threads_(threads) {}
+
+  /// Appends one mesh for each receiver of the group.
+  void write(std::span<const std::uint32_t> receivers, std::vector<IlluminationMesh>& meshes) {
+    for (std::uint32_t t = 0; t < refined_.states().size(); ++t) add_face(t, meshes[refined_.receiver_of(t)]);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
+    for (const std::uint32_t r : receivers) {
+      for (std::uint32_t i = 0; i < meshes[r].points.size(); ++i) all.emplace_back(r, i);
+      meshes[r].irradiance.resize(meshes[r].points.size());
+      meshes[r].of_lights.assign(lights_.size(), std::vector<Irradiance>(meshes[r].points.size()));
+    }
+    for_all(all.size(), threads_, [&](std::size_t k, std::size_t worker) {
+      const auto& [r, i] = all[k];
+      const std::vector<Irradiance> found = lights_.each(worker, r, asked_[r][i]);
+      for (std::size_t l = 0; l < found.size(); ++l) meshes[r].of_lights[l][i] = found[l];
+      meshes[r].irradiance[i] = total_irradiance(found);
+    });
+  }
+
+ private:
+  std::uint32_t point(std::uint32_t triangle, std::size_t node, IlluminationMesh& mesh) {
+    const std::uint32_t receiver = refined_.receiver_of(triangle), place = refined_.place_of(triangle, node);
+    const auto fresh = static_cast<std::uint32_t>(mesh.points.size());
+    if (!refined_.states()[triangle].is_own[node]) {
+      const auto [found, is_new] = shared_.try_emplace({receiver, place}, fresh);
+      if (!is_new) return found->second;
+    }
+    mesh.points.push_back(refined_.mesh().points()[place]);
+    asked_[receiver].push_back(refined_.asked_at(triangle, node));
+    return fresh;
+  }
+
+  void add_face(std::uint32_t triangle, IlluminationMesh& mesh) {
+    const TriangleState& state = refined_.states()[triangle];
+    const HalvingTriangle& t = refined_.mesh().triangles()[triangle];
+    IlluminationFace face{{}, {}, state.error, state.is_met};
+    for (std::size_t k = 0; k < 3; ++k) face.corners[k] = point(triangle, k, mesh);
+    for (std::size_t k = 3; k < refined_.nodes(); ++k) face.middles[k - 3] = point(triangle, k, mesh);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const bool is_told = t.orders[k] < smooth && (t.beyond[k] == none || triangle < t.beyond[k]);
+      if (is_told) mesh.edges.push_back({{face.corners[k], face.corners[(k + 1) % 3]}, t.orders[k]});
+    }
+    mesh.faces.push_back(face);
+  }
+
+  const Refinement& refined_;
+  LightsTogether& lights_;
+  unsigned threads_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> shared_;
+  std::map<std::uint32_t, std::vector<Point3>> asked_;  ///< of each receiver's points, where they were asked for
+};
+
+class Illuminating {
+ public:
+  Illuminating(std::span<const IlluminationLight> lights, const Obstacles& obstacles,
+               std::span<const ConvexPolygon> receivers, const IlluminationEffort& effort)
+      : sources_(lights),
+        obstacles_(obstacles),
+        receivers_(receivers),
+        effort_(effort),
+        lights_(lights, obstacles, receivers, effort.unit, effort.threads),
+        facts_(receivers.size()) {}
+
+  Illumination made() {
+    divide();
+    result_.meshes.resize(receivers_.size());
+    ask_probes();
+    result_.tolerance = effort_.is_relative ? effort_.tolerance * result_.largest : effort_.tolerance;
+    std::size_t done = 0;
+    for (const std::vector<std::uint32_t>& group : illumination::coplanar_groups(receivers_)) {
+      mesh_group(group);
+      done += group.size();
+      if (effort_.progress) effort_.progress(done, receivers_.size());
+    }
+    result_.evaluations = lights_.evaluations();
+    return std::move(result_);
+  }
+
+ private:
+  void divide() {
+    for (const IlluminationLight& light : sources_) {
+      for (const Light& part : light.parts) {
+        const ReceiverDivision division(part, obstacles_.blockers, receivers_, effort_.threads, obstacles_.enclosures);
+        for_all(receivers_.size(), effort_.threads, [&](std::size_t r, std::size_t) {
+          append(facts_[r].traces, illumination::traces_of(division.mesh(static_cast<std::uint32_t>(r))));
+        });
+      }
+    }
+  }
+
+  void ask_probes() {
+    std::vector<Probe*> all;
+    for (std::uint32_t r = 0; r < receivers_.size(); ++r) {
+      for (const Point3& p : facts_[r].traces.inside) facts_[r].probes.push_back({r, p, {}});
+      for (Probe& probe : facts_[r].probes) all.push_back(&probe);
+    }
+    for_all(all.size(), effort_.threads, [&](std::size_t i, std::size_t worker) {
+      all[i]->irradiance = lights_.sum(worker, all[i]->receiver, all[i]->point);
+    });
+    for (const Probe* probe : all) tell_largest(probe->irradiance);
+    for_all(receivers_.size(), effort_.threads, [&](std::size_t r, std::size_t worker) {
+      const auto brightest = std::ranges::max_element(facts_[r].probes, {}, value_of);
+      if (brightest == facts_[r].probes.end() || result_.largest == 0) return;
+      if (value_of(*brightest) < result_.largest / 4) return;
+      facts_[r].brightest = illumination::brightest_place(receivers_[r], *brightest, lights_, worker);
+    });
+    for (const ReceiverFacts& facts : facts_) {
+      if (facts.brightest) tell_largest(facts.brightest->irradiance);
+    }
+  }
+
+  static double value_of(const Probe& probe) {
+    return std::isfinite(probe.irradiance.value) ? probe.irradiance.value : 0;
+  }
+
+  void tell_largest(const Irradiance& found) {
+    if (std::isfinite(found.value)) result_.largest = std::max(result_.largest, found.value);
+  }
+
+  void mesh_group(std::span<const std::uint32_t> group) {
+    std::vector<const ConvexPolygon*> members;
+    std::vector<ReceiverTraces> traces;
+    std::size_t regions = 0;
+    for (const std::uint32_t r : group) {
+      members.push_back(&receivers_[r]);
+      regions += facts_[r].traces.inside.size();
+      traces.push_back(std::move(facts_[r].traces));
+    }
+    const auto refined = [&](bool has_all_traces, std::size_t most) {
+      return refined_between(group, illumination::outline_of(members, traces, has_all_traces ? 2 : 1), has_all_traces,
+                             most);
+    };
+    const std::size_t most = group.size() * effort_.most_faces;
+    const bool has_choice = effort_.split == IlluminationSplit::need && has_second_order(traces);
+    if (!has_choice) return write(group, refined(effort_.split == IlluminationSplit::all, most));
+    // The one that is likely cheaper first; the other stops once it is not better.
+    const bool all_first = regions <= few_regions;
+    Refinement first = refined(all_first, most);
+    if (!all_first && regions >= first.states().size()) return write(group, first);
+    Refinement second = refined(!all_first, std::min(most, first.states().size()));
+    const auto cost = [](const Refinement& one) {
+      return std::pair(std::ranges::count(one.states(), false, &TriangleState::is_met), one.states().size());
+    };
+    write(group, cost(second) < cost(first) ? second : first);
+  }
+
+  static constexpr std::size_t few_regions = 2000;
+
+  static bool has_second_order(std::span<const ReceiverTraces> traces) {
+    return std::ranges::any_of(traces, [](const ReceiverTraces& of_receiver) {
+      return std::ranges::any_of(of_receiver.traces, [](const Trace& trace) { return trace.order >= 2; });
+    });
+  }
+
+  Refinement refined_between(std::span<const std::uint32_t> group, Outline outline, bool has_all_traces,
+                             std::size_t most) {
+    std::vector<Probe> probes;
+    std::vector<Point3> touching, corners;
+    for (const std::uint32_t r : group) {
+      const ReceiverFacts& facts = facts_[r];
+      probes.insert(probes.end(), facts.probes.begin(), facts.probes.end());
+      for (const Point3& p : illumination::touching_places(sources_, obstacles_, receivers_[r])) touching.push_back(p);
+      if (facts.brightest) add_brightest(outline, facts.brightest->point, extent_of(receivers_[r].points()));
+    }
+    outline.corners.insert(outline.corners.end(), touching.begin(), touching.end());
+    std::vector<Point3> all;
+    for (const auto& ring : outline.rings) {
+      for (const ExactVector& p : ring) all.push_back(illumination::near_point(p));
+    }
+    const bool tries_edges = has_all_traces && effort_.order == 1;
+    const RefinementGoal goal{result_.tolerance,        effort_.order,  tries_edges, most,
+                              0x1p-40 * extent_of(all), effort_.threads};
+    Refinement refined(illumination::first_triangles(outline), group, touching, std::move(probes), lights_, goal);
+    refined.run();
+    return refined;
+  }
+
+  /// The brightest place becomes a corner, unless it is so near to a line that thin triangles would come of it.
+  static void add_brightest(Outline& outline, const Point3& p, double extent) {
+    const auto is_near = [&](const ExactVector& a, const ExactVector& b) {
+      return illumination::distance(p, illumination::near_point(a), illumination::near_point(b)) < 0x1p-8 * extent;
+    };
+    for (const auto& ring : outline.rings) {
+      for (std::size_t k = 0; k < ring.size(); ++k) {
+        if (is_near(ring[k], ring[(k + 1) % ring.size()])) return;
+      }
+    }
+    if (std::ranges::none_of(outline.traces, [&](const Trace& t) { return is_near(t.a, t.b); })) {
+      outline.corners.push_back(p);
+    }
+  }
+
+  void write(std::span<const std::uint32_t> group, const Refinement& refined) {
+    GroupMeshes(refined, lights_, effort_.threads).write(group, result_.meshes);
+  }
+
+  std::span<const IlluminationLight> sources_;
+  const Obstacles& obstacles_;
+  std::span<const ConvexPolygon> receivers_;
+  const IlluminationEffort& effort_;
+  LightsTogether lights_;
+  std::vector<ReceiverFacts> facts_;
+  Illumination result_;
+};
+
+}  // namespace
+
+double IlluminationMesh::largest_error() const {
+  double largest = 0;
+  for (const IlluminationFace& face : faces) largest = std::max(largest, face.error);
+  return largest;
+}
+
+std::size_t IlluminationMesh::unmet_faces() const {
+  return static_cast<std::size_t>(std::ranges::count(faces, false, &IlluminationFace::is_met));
+}
+
+double IlluminationMesh::unmet_area() const {
+  double sum = 0;
+  for (const IlluminationFace& face : faces) sum += face.is_met ? 0 : illuminated_area(*this, face);
+  return sum;
+}
+
+double IlluminationMesh::area() const {
+  double sum = 0;
+  for (const IlluminationFace& face : faces) sum += illuminated_area(*this, face);
+  return sum;
+}
+
+double IlluminationMesh::flux() const {
+  double sum = 0;
+  for (const IlluminationFace& face : faces) {
+    // The mean of a quadratic function on a triangle is that of the middles of its edges.
+    const bool is_linear = face.middles[0] == face.middles[1];
+    const auto& [a, b, c] = is_linear ? face.corners : face.middles;
+    sum +=
+        illuminated_area(*this, face) * (irradiance[a].value / 3 + irradiance[b].value / 3 + irradiance[c].value / 3);
+  }
+  return sum;
+}
+
+double IlluminationMesh::flux_error() const {
+  double sum = 0;
+  for (const IlluminationFace& face : faces) sum += illuminated_area(*this, face) * face.error;
+  return sum;
+}
+
+Illumination illuminate(std::span<const IlluminationLight> lights, const Obstacles& obstacles,
+                        std::span<const ConvexPolygon> receivers, const IlluminationEffort& effort) {
+  if (!(effort.tolerance > 0)) throw PreconditionError("a tolerance is larger than 0");
+  if (effort.order != 1 && effort.order != 2) throw PreconditionError("faces are of order 1 or 2");
+  return Illuminating(lights, obstacles, receivers, effort).made();
+}
+
+}  // namespace gnomon

@@ -1,0 +1,35 @@
+#pragma once
+
+/// What is to be an edge or a corner of meshes. Private to the libraries.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "gnomon/illumination.h"
+#include "shading/illumination/first_triangles.h"
+#include "shading/illumination/receiver_traces.h"
+
+namespace gnomon::illumination {
+
+/// Places in a receiver's plane where a corner of a blocker or of the light lies: irradiance may have many limits.
+std::vector<Point3> touching_places(std::span<const IlluminationLight> lights, const Obstacles& obstacles,
+                                    const ConvexPolygon& receiver);
+
+/// The borders of receivers of one plane, with a corner wherever a trace of any of them ends, and the traces up to an
+/// order. `traces` has those of each receiver, of all lights.
+Outline outline_of(std::span<const ConvexPolygon* const> receivers, std::span<const ReceiverTraces> traces,
+                   std::uint8_t highest_order);
+
+/// True of points on a receiver or outside by no more than rounding.
+bool is_on(const ConvexPolygon& receiver, const Point3& p);
+
+/// The largest distance of two corners of a box around the points.
+double extent_of(std::span<const Point3> points);
+
+/// Close to a point; off by rounding.
+Point3 near_point(const ExactVector& p);
+
+double distance(const Point3& p, const Point3& a, const Point3& b);
+
+}  // namespace gnomon::illumination

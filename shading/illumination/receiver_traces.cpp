@@ -1,0 +1,55 @@
+#include "shading/illumination/receiver_traces.h"
+
+#include <algorithm>
+
+#include "geometry/discontinuity/receiver_mesh_data.h"
+
+namespace gnomon::illumination {
+namespace {
+
+bool is_on_border(const MeshEdge& edge) {
+  return edge.left == MeshEdge::nowhere || edge.right == MeshEdge::nowhere;
+}
+
+/// Where the light shows its edge irradiance has limits as if something touched the receiver.
+std::uint8_t order_of(const ReceiverMesh& mesh, const MeshEdge& edge) {
+  std::uint8_t order = smooth;
+  for (const std::uint32_t n : edge.names) {
+    const EventName& name = mesh.names()[n];
+    if (name.kind == EventKind::border) continue;
+    order = std::min(order, name.kind == EventKind::light_plane ? std::uint8_t{0} : name.order);
+  }
+  return order;
+}
+
+Point3 middle_of(const Point3& a, const Point3& b, const Point3& c) {
+  return {a.x / 3 + b.x / 3 + c.x / 3, a.y / 3 + b.y / 3 + c.y / 3, a.z / 3 + b.z / 3 + c.z / 3};
+}
+
+}  // namespace
+
+ReceiverTraces traces_of(const ReceiverMesh& mesh) {
+  ReceiverTraces found;
+  const MeshDrawing drawing = mesh.drawing();
+  const auto place = [&](std::uint32_t v) { return mesh.data().plane.spatial(mesh.data().point(v)); };
+  for (std::size_t e = 0; e < mesh.edges().size(); ++e) {
+    const MeshEdge& edge = mesh.edges()[e];
+    if (is_on_border(edge)) {
+      for (const std::uint32_t v : {edge.source, edge.target}) found.on_border.push_back(place(v));
+    }
+    const std::uint8_t order = order_of(mesh, edge);
+    if (order == smooth) continue;
+    const std::vector<std::uint32_t>& line = drawing.lines[e];
+    if (line.size() == 2) found.traces.push_back({place(edge.source), place(edge.target), order});
+    for (std::size_t k = 1; k < line.size() && line.size() > 2; ++k) {
+      found.traces.push_back({exact(drawing.points[line[k - 1]]), exact(drawing.points[line[k]]), order});
+    }
+  }
+  for (const ReceiverTriangle& t : drawing.triangles) {
+    const auto& [a, b, c] = t.vertices;
+    found.inside.push_back(middle_of(drawing.points[a], drawing.points[b], drawing.points[c]));
+  }
+  return found;
+}
+
+}  // namespace gnomon::illumination

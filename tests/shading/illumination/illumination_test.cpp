@@ -1,0 +1,287 @@
+#include "gnomon/illumination.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <map>
+#include <numbers>
+#include <random>
+#include <utility>
+
+#include "gnomon/errors.h"
+#include "gnomon/view_factors.h"
+
+namespace gnomon {
+namespace {
+
+using Polygons = std::vector<ConvexPolygon>;
+
+ConvexPolygon polygon(std::vector<Point3> points) {
+  return ConvexPolygon::from_points(std::move(points));
+}
+
+ConvexBlocker block(const Point3& low, const Point3& high) {
+  std::vector<Point3> points;
+  for (int c = 0; c < 8; ++c) {
+    points.push_back({c & 1 ? high.x : low.x, c & 2 ? high.y : low.y, c & 4 ? high.z : low.z});
+  }
+  return ConvexSolid::hull_of(std::move(points));
+}
+
+const ConvexPolygon ground = polygon({{-4, -4, 0}, {4, -4, 0}, {4, 4, 0}, {-4, 4, 0}});
+const Light square_lamp = AreaLight{polygon({{-1, -1, 4}, {-1, 1, 4}, {1, 1, 4}, {1, -1, 4}})};
+const Light small_lamp = AreaLight{polygon({{2, 2, 3}, {2, 2.5, 3}, {2.5, 2.5, 3}, {2.5, 2, 3}})};
+const Light skew_tube = LinearLight{{-2, -1, 3}, {1, -2, 2}};
+
+/// On the floor, touching each other along an edge, and a board that stands on it.
+const Obstacles furniture{{block({-2, -1, 0}, {-1, 1, 1}), block({-1, 1, 0}, {0, 2, 2}),
+                           polygon({{1, -2, 0}, {2, -1, 0}, {2, -1, 1.5}, {1, -2, 1.5}})},
+                          {}};
+
+Irradiance exact_sum(std::span<const IlluminationLight> lights, const Obstacles& obstacles,
+                     const ConvexPolygon& receiver, const Point3& p) {
+  std::vector<Irradiance> parts;
+  for (const IlluminationLight& light : lights) {
+    for (const Light& part : light.parts) {
+      LightIrradiance irradiance(part, light.strength, PreparedObstacles(obstacles));
+      parts.push_back(irradiance.received({p, facet_front(receiver)}, {0, 0, 1}));
+    }
+  }
+  return total_irradiance(parts);
+}
+
+/// What a face interpolates at shares of its corners that sum up to 1.
+double interpolated(const IlluminationMesh& mesh, const IlluminationFace& face, int order,
+                    const std::array<double, 3>& w) {
+  double sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (order == 1) {
+      sum += w[k] * mesh.irradiance[face.corners[k]].value;
+    } else {
+      sum += w[k] * (2 * w[k] - 1) * mesh.irradiance[face.corners[k]].value +
+             4 * w[k] * w[(k + 1) % 3] * mesh.irradiance[face.middles[k]].value;
+    }
+  }
+  return sum;
+}
+
+Point3 place(const IlluminationMesh& mesh, const IlluminationFace& face, const std::array<double, 3>& w) {
+  Point3 p{0, 0, 0};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point3& c = mesh.points[face.corners[k]];
+    p = {p.x + w[k] * c.x, p.y + w[k] * c.y, p.z + w[k] * c.z};
+  }
+  return p;
+}
+
+struct Agreement {
+  std::size_t asked = 0;
+  std::size_t beyond_error = 0;  ///< of its face
+  double worst = 0;              ///< as a share of the tolerance
+};
+
+/// Random places of random faces, wider ones more often.
+Agreement agreement(std::span<const IlluminationLight> lights, const Obstacles& obstacles, const Illumination& found,
+                    int order, std::size_t count, unsigned seed) {
+  std::mt19937 engine(seed);
+  std::uniform_real_distribution<double> share(0.001, 0.999);
+  const IlluminationMesh& mesh = found.meshes.front();
+  std::vector<double> areas;
+  for (const IlluminationFace& face : mesh.faces) {
+    const Point3 &a = mesh.points[face.corners[0]], &b = mesh.points[face.corners[1]],
+                 &c = mesh.points[face.corners[2]];
+    areas.push_back(0.01 + std::fabs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)));
+  }
+  std::discrete_distribution<std::size_t> some_face(areas.begin(), areas.end());
+  Agreement tally;
+  for (; tally.asked < count; ++tally.asked) {
+    const IlluminationFace& face = mesh.faces[some_face(engine)];
+    const double root = std::sqrt(share(engine)), second = share(engine);
+    const std::array<double, 3> w{1 - root, root * (1 - second), root * second};
+    const Irradiance exact = exact_sum(lights, obstacles, ground, place(mesh, face, w));
+    const double off = std::fabs(exact.value - interpolated(mesh, face, order, w)) - exact.error_bound;
+    if (face.is_met) tally.worst = std::max(tally.worst, off / found.tolerance);
+    tally.beyond_error += off > face.error ? 1 : 0;
+  }
+  return tally;
+}
+
+constexpr std::size_t point_count = GNOMON_LONG ? 1000000 : 10000;
+
+class Illuminates : public ::testing::TestWithParam<int> {};
+
+TEST_P(Illuminates, ToWithinTheToleranceAtRandomPlaces) {
+  const std::vector<IlluminationLight> lights = {
+      {{square_lamp}, 1}, {{skew_tube}, 0.05}, {{PointLight{{3, -3, 2}}}, 0.1}};
+  IlluminationEffort effort;
+  effort.order = GetParam();
+  effort.tolerance = 0.02;
+  for (const IlluminationSplit split : {IlluminationSplit::need, IlluminationSplit::all, IlluminationSplit::none}) {
+    effort.split = split;
+    const Illumination found = illuminate(lights, furniture, {&ground, 1}, effort);
+    EXPECT_EQ(found.meshes.front().unmet_faces(), 0U);
+    EXPECT_LE(found.meshes.front().largest_error(), found.tolerance);
+    const Agreement tally = agreement(lights, furniture, found, effort.order, point_count / 3, 7);
+    std::cout << "order " << effort.order << ": " << found.meshes.front().faces.size() << " faces, worst "
+              << tally.worst << " of the tolerance, " << tally.beyond_error << " of " << tally.asked
+              << " places beyond their face's error\n";
+    EXPECT_LE(tally.worst, 1.1);
+    EXPECT_LE(1000 * tally.beyond_error, 2 * tally.asked);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(OfOrder, Illuminates, ::testing::Values(1, 2));
+
+/// An edge by the coordinates of its ends.
+using Place = std::array<double, 3>;
+using EdgePlaces = std::pair<Place, Place>;
+
+Place place_of(const Point3& p) {
+  return {p.x, p.y, p.z};
+}
+
+std::map<EdgePlaces, int> faces_at_edges(const Illumination& found) {
+  std::map<EdgePlaces, int> count;
+  for (const IlluminationMesh& mesh : found.meshes) {
+    for (const IlluminationFace& face : mesh.faces) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Place a = place_of(mesh.points[face.corners[k]]), b = place_of(mesh.points[face.corners[(k + 1) % 3]]);
+        ++count[std::minmax(a, b)];
+      }
+    }
+  }
+  return count;
+}
+
+TEST(Illumination, HasNoCornerInsideAnothersEdgeAcrossReceiversOfOneWall) {
+  // The floor in three pieces, two of which share a side with the third's ... and the whole border.
+  const Polygons pieces = {polygon({{-4, -4, 0}, {0.5, -4, 0}, {0.5, 4, 0}, {-4, 4, 0}}),
+                           polygon({{0.5, -4, 0}, {4, -4, 0}, {4, 4, 0}, {0.5, 4, 0}})};
+  const std::vector<IlluminationLight> lights = {{{square_lamp}, 1}, {{small_lamp}, 3}};
+  for (const int order : {1, 2}) {
+    const Illumination found = illuminate(lights, furniture, pieces, {.tolerance = 0.03, .order = order});
+    const auto is_border = [](const EdgePlaces& e) {
+      const auto lies = [&](std::size_t axis, double at) { return e.first[axis] == at && e.second[axis] == at; };
+      return lies(0, -4) || lies(0, 4) || lies(1, -4) || lies(1, 4);
+    };
+    for (const auto& [edge, count] : faces_at_edges(found)) {
+      EXPECT_EQ(count, is_border(edge) ? 1 : 2)
+          << edge.first[0] << ',' << edge.first[1] << " to " << edge.second[0] << ',' << edge.second[1];
+    }
+    EXPECT_NEAR(found.meshes[0].area() + found.meshes[1].area(), 64, 1e-12);
+  }
+}
+
+TEST(Illumination, IsTheSameForAnyNumberOfThreads) {
+  const std::vector<IlluminationLight> lights = {{{square_lamp}, 1}, {{skew_tube}, 0.05}};
+  const auto made = [&](unsigned threads) {
+    return illuminate(lights, furniture, {&ground, 1}, {.tolerance = 0.02, .threads = threads});
+  };
+  const Illumination one = made(1), three = made(3);
+  ASSERT_EQ(one.meshes[0].points.size(), three.meshes[0].points.size());
+  EXPECT_EQ(one.evaluations, three.evaluations);
+  for (std::size_t i = 0; i < one.meshes[0].points.size(); ++i) {
+    EXPECT_EQ(place_of(one.meshes[0].points[i]), place_of(three.meshes[0].points[i]));
+    EXPECT_EQ(one.meshes[0].irradiance[i].value, three.meshes[0].irradiance[i].value);
+  }
+}
+
+TEST(Illumination, OfSeveralLightsIsTheSumOfWhatEachGives) {
+  const std::vector<IlluminationLight> lights = {{{square_lamp}, 1}, {{skew_tube}, 0.05}};
+  const Illumination found = illuminate(lights, furniture, {&ground, 1}, {.tolerance = 0.05});
+  const IlluminationMesh& mesh = found.meshes[0];
+  ASSERT_EQ(mesh.of_lights.size(), 2U);
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    const Irradiance parts[] = {mesh.of_lights[0][i], mesh.of_lights[1][i]};
+    EXPECT_EQ(mesh.irradiance[i].value, total_irradiance(parts).value);
+  }
+}
+
+TEST(Illumination, HasTheFluxOfTheViewFactor) {
+  // Nothing between, and a board between: pi times radiance, area and factor.
+  const ConvexPolygon desk = polygon({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}});
+  const ConvexPolygon lamp = std::get<AreaLight>(square_lamp).polygon;
+  const ConvexBlocker board = polygon({{-0.5, -0.5, 2}, {0.7, -0.5, 2}, {0.7, 0.5, 2.5}, {-0.5, 0.5, 2.5}});
+  for (const Obstacles& obstacles : {Obstacles{}, Obstacles{{board}, {}}}) {
+    const ViewSurface surfaces[] = {{desk}, {lamp}};
+    const double factor = view_factors(surfaces, obstacles, {}).factors.front().value;
+    const IlluminationLight light{{square_lamp}, 2};
+    for (const double tolerance : {0.05, 0.005}) {
+      const Illumination found = illuminate({&light, 1}, obstacles, {&desk, 1}, {.tolerance = tolerance});
+      const IlluminationMesh& mesh = found.meshes[0];
+      EXPECT_NEAR(mesh.flux(), std::numbers::pi * 2 * 4 * factor, mesh.flux_error());
+      EXPECT_LE(mesh.flux_error(), 4 * found.tolerance);
+    }
+  }
+}
+
+Light scaled(const Light& light, double s) {
+  const auto at = [&](const Point3& p) { return Point3{s * p.x, s * p.y, s * p.z}; };
+  if (const auto* tube = std::get_if<LinearLight>(&light)) return LinearLight{at(tube->start), at(tube->end)};
+  if (const auto* bulb = std::get_if<PointLight>(&light)) return PointLight{at(bulb->position)};
+  std::vector<Point3> points;
+  for (const Point3& p : std::get<AreaLight>(light).polygon.points()) points.push_back(at(p));
+  return AreaLight{polygon(points)};
+}
+
+ConvexPolygon scaled(const ConvexPolygon& shape, double s) {
+  return std::get<AreaLight>(scaled(Light(AreaLight{shape}), s)).polygon;
+}
+
+TEST(Illumination, OfASceneTwiceAsLargeIsTheSameToTheBit) {
+  const ConvexPolygon board = polygon({{1, -2, 0}, {2, -1, 0}, {2, -1, 1.5}, {1, -2, 1.5}});
+  const std::pair<Light, double> cases[] = {{square_lamp, 1}, {skew_tube, 2}, {PointLight{{3, -3, 2}}, 4}};
+  for (const auto& [light, falls] : cases) {
+    const auto made = [&, source = light](double s) {
+      const IlluminationLight one{{scaled(source, s)}, 1};
+      const ConvexPolygon floor = scaled(ground, s);
+      return illuminate({&one, 1}, {{scaled(board, s)}, {}}, {&floor, 1}, {.tolerance = 0.03}).meshes[0];
+    };
+    const IlluminationMesh small = made(1), large = made(2);
+    ASSERT_EQ(small.points.size(), large.points.size());
+    for (std::size_t i = 0; i < small.points.size(); ++i) {
+      EXPECT_EQ(2 * small.points[i].x, large.points[i].x);
+      EXPECT_EQ(small.irradiance[i].value, falls * large.irradiance[i].value);
+    }
+  }
+}
+
+TEST(Illumination, TakesFewFacesUnderABoardThatNearlyTouches) {
+  const IlluminationLight light{{square_lamp}, 1};
+  const auto faces = [&](double height) {
+    const double z = height;
+    const ConvexBlocker board = polygon({{-1, -1, z}, {1, -1.5, z}, {1.5, 1, z}, {-0.5, 1, z}});
+    const Illumination found = illuminate({&light, 1}, {{board}, {}}, {&ground, 1}, {.tolerance = 0.02});
+    EXPECT_EQ(found.meshes[0].unmet_faces(), 0U) << height;
+    return found.meshes[0].faces.size();
+  };
+  EXPECT_LT(faces(1e-6), 1000U);
+  EXPECT_LT(faces(0), 400U);
+}
+
+TEST(IlluminationDegenerate, TellsOfFacesAroundALightOnTheReceiver) {
+  const std::vector<IlluminationLight> lights = {{{square_lamp}, 1}, {{LinearLight{{1, 1, 0}, {1, 1, 1}}}, 1}};
+  const Illumination found = illuminate(lights, {}, {&ground, 1}, {.tolerance = 0.1, .most_faces = 5000});
+  EXPECT_TRUE(std::isfinite(found.largest));
+  EXPECT_GT(found.meshes[0].unmet_faces(), 0U);
+  EXPECT_LT(found.meshes[0].unmet_area(), 0.5);
+}
+
+TEST(IlluminationDegenerate, OfNothingIsDark) {
+  const IlluminationLight behind{{PointLight{{0, 0, -1}}}, 1};
+  const Illumination none = illuminate({}, {}, {&ground, 1}, {});
+  const Illumination dark = illuminate({&behind, 1}, {}, {&ground, 1}, {});
+  EXPECT_EQ(none.largest, 0);
+  EXPECT_EQ(dark.largest, 0);
+  EXPECT_EQ(dark.meshes[0].faces.size(), 2U);
+  EXPECT_EQ(dark.meshes[0].unmet_faces(), 0U);
+  EXPECT_TRUE(illuminate({&behind, 1}, {}, {}, {}).meshes.empty());
+  EXPECT_THROW(illuminate({&behind, 1}, {}, {&ground, 1}, {.tolerance = 0}), PreconditionError);
+  EXPECT_THROW(illuminate({&behind, 1}, {}, {&ground, 1}, {.tolerance = NAN}), PreconditionError);
+}
+
+}  // namespace
+}  // namespace gnomon
