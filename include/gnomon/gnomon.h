@@ -23,6 +23,7 @@
 #include "gnomon/flatland_regions.h"
 #include "gnomon/irradiance.h"
 #include "gnomon/light.h"
+#include "gnomon/light_design.h"
 #include "gnomon/light_parts.h"
 #include "gnomon/names.h"
 #include "gnomon/pair.h"

@@ -1,0 +1,238 @@
+#include "gnomon/light_design.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/numbers/rounding.h"
+#include "shading/inverse/choice.h"
+#include "shading/inverse/conflict.h"
+#include "shading/inverse/feasible_region.h"
+#include "shading/inverse/goal_sets.h"
+#include "shading/inverse/lengths.h"
+#include "shading/inverse/outcome.h"
+
+namespace gnomon {
+namespace inverse {
+namespace {
+
+/// A design's planes and goals, made once.
+struct PreparedDesign {
+  DesignSpace space;
+  std::vector<GoalSets> goals;
+
+  PreparedDesign(const Design& design, const DesignObstacles& obstacles) {
+    for (std::uint32_t g = 0; g < design.goals.size(); ++g) goals.push_back(goal_sets(space, design, g, obstacles));
+  }
+};
+
+Point3 rounded(const ExactVector& p) {
+  return {nearest_double(p.x), nearest_double(p.y), nearest_double(p.z)};
+}
+
+/// The root of a rational number that is a square.
+std::optional<Rational> exact_root(const Rational& square) {
+  const Integer top = sqrt(numerator(square)), bottom = sqrt(denominator(square));
+  const Rational root(top, bottom);
+  if (root * root == square) return root;
+  return std::nullopt;
+}
+
+/// The sum of the sizes of cells of one dimension.
+ExactNumber total_size(const DesignSpace& space, std::span<const Cell> cells) {
+  Rational sum = 0;
+  bool is_exact = true;
+  for (const Cell& cell : cells) {
+    const Rational square = squared_size(space.cells, cell);
+    const std::optional<Rational> root = exact_root(square);
+    is_exact = is_exact && root;
+    sum += root ? *root : Rational(nearest_root(square));
+  }
+  ExactNumber size = exact_number(sum);
+  if (!is_exact) size.exact.clear();
+  return size;
+}
+
+/// True for corners at the end of everything: directions in truth.
+bool is_far(const DesignSpace& space, const Corner& corner) {
+  return std::ranges::any_of(corner.planes,
+                             [&](CellPlane p) { return space.names[p].kind == DesignWall::Kind::domain; });
+}
+
+FeasibleCell told(const DesignSpace& space, const Cell& cell, bool may_be_far) {
+  FeasibleCell result;
+  for (const Corner& corner : cell.corners) {
+    Whole whole = space.cells.corner(corner.id);
+    const bool far = whole[3] == 0 || (may_be_far && is_far(space, corner));
+    if (far) {
+      Integer most = 1;
+      for (std::size_t k = 0; k < 3; ++k) most = std::max(most, Integer(abs(whole[k])));
+      whole[3] = most;
+    }
+    result.corners.push_back(rounded(coordinates(whole)));
+    result.at_infinity.push_back(far);
+  }
+  const int n = dimension(space.cells, cell);
+  if (n < 2) return result;
+  for (const CellFace& face : faces(space.cells, cell)) {
+    if (n == 2) continue;
+    result.faces.push_back(face.corners);
+    result.walls.emplace_back(space.names[face.plane]);
+  }
+  if (n > 2) return result;
+  std::vector<std::vector<std::uint32_t>> next(cell.corners.size());
+  for (const auto& [a, b] : edges(cell)) {
+    next[a].push_back(b);
+    next[b].push_back(a);
+  }
+  std::vector<std::uint32_t>& loop = result.faces.emplace_back(std::vector<std::uint32_t>{0});
+  for (std::uint32_t before = ~0U; loop.size() < cell.corners.size();) {
+    const std::uint32_t here = loop.back();
+    if (next[here].size() < 2) break;
+    loop.push_back(next[here][0] != before ? next[here][0] : next[here][1]);
+    before = here;
+  }
+  result.walls.emplace_back(std::nullopt);
+  return result;
+}
+
+/// The cell of the domain that a position is measured in: the first that holds it.
+Cell domain_cell(DesignSpace& space, const DesignDomain& domain, const Whole& position, bool& is_inside) {
+  const std::vector<Cell> cells = domain_cells(space, domain);
+  const CornerId point = space.cells.add_corner(position);
+  for (const Cell& cell : cells) {
+    bool holds_it = true;
+    for (const Corner& corner : cell.corners) {
+      for (const CellPlane plane : corner.planes) {
+        const int side = space.cells.side(plane, point);
+        const bool within = lies(space.cells, cell, plane, PlaneSide::within);
+        const bool beyond = lies(space.cells, cell, plane, PlaneSide::beyond);
+        holds_it = holds_it && (side <= 0 || !within) && (side >= 0 || !beyond);
+      }
+    }
+    if (holds_it) {
+      is_inside = true;
+      return cell;
+    }
+  }
+  is_inside = false;
+  return cells[0];
+}
+
+std::vector<GoalOutcome> outcomes(PreparedDesign& prepared, const Design& design, const DesignObstacles& obstacles,
+                                  const Point3& position, const Cell& domain) {
+  std::vector<GoalOutcome> result;
+  for (std::uint32_t g = 0; g < design.goals.size(); ++g) {
+    result.push_back(goal_outcome(prepared.space, design, g, prepared.goals[g], obstacles, position, domain));
+  }
+  return result;
+}
+
+Whole whole_position(const Design& design, const Point3& p) {
+  return design.variable == FreeVariable::direction ? whole_direction(p) : whole_point(p);
+}
+
+void add_answer(PreparedDesign& prepared, const Design& design, const DesignObstacles& obstacles,
+                const DesignEffort& effort, const FeasibleCells& found, DesignResult& result) {
+  const bool is_direction = design.variable == FreeVariable::direction;
+  if (!result.bounded && effort.choice != Choice::nearest && !is_direction) {
+    throw DesignError(
+        "the feasible region is unbounded and has no centre: a domain bounds it, --choose nearest needs none");
+  }
+  const ChosenPoint point = is_direction ? chosen_direction(prepared.space, found.cells)
+                                         : chosen_point(prepared.space, found.cells, effort.choice, effort.near);
+  DesignAnswer answer;
+  answer.position = rounded(point.position);
+  for (std::size_t k = 0; k < 3; ++k) answer.exact[k] = exact_number(point.position[k]);
+  answer.margin = nearest_double(point.radius);
+  if (Rational(answer.margin) > point.radius) answer.margin = std::nextafter(answer.margin, 0);
+  bool is_inside = false;
+  const Cell domain = domain_cell(prepared.space, design.domain, whole_position(design, answer.position), is_inside);
+  result.goals = outcomes(prepared, design, obstacles, answer.position, domain);
+  answer.representable = is_inside && std::ranges::all_of(result.goals, &GoalOutcome::satisfied);
+  result.answer = answer;
+}
+
+void name_solids(const Design& design, const std::vector<GoalSets>& goals, const DesignObstacles& obstacles,
+                 DesignResult& result) {
+  for (std::size_t g = 0; g < goals.size(); ++g) {
+    const bool is_enclosed = std::ranges::any_of(goals[g].none, [](const ConvexSet& set) { return set.walls.empty(); });
+    if (!is_enclosed) continue;
+    for (const std::uint32_t part : parts_that_count(design.goals[g], obstacles)) {
+      DesignSpace unused;
+      const auto shadow =
+          goal_sets(unused, design, static_cast<std::uint32_t>(g),
+                    {{{obstacles.obstacles.blockers[part]}, {}}, {obstacles.parts[part]}, {obstacles.elements[part]}});
+      if (std::ranges::none_of(shadow.none, [](const ConvexSet& set) { return set.walls.empty(); })) continue;
+      result.remarks.push_back("goal \"" + design.goals[g].name + "\": its subject reaches into the solid \"" +
+                               obstacles.parts[part] + "\", so nothing can light it");
+    }
+  }
+}
+
+}  // namespace
+}  // namespace inverse
+
+DesignObstacles design_obstacles(const SpaceScene& scene) {
+  SceneBodies bodies = scene_bodies(scene);
+  DesignObstacles result;
+  for (const std::uint32_t id : bodies.blocker_ids) result.elements.push_back(scene.blockers[id].name);
+  result.obstacles = std::move(bodies.obstacles);
+  result.parts = std::move(bodies.names);
+  return result;
+}
+
+DesignResult solved_design(const Design& design, const DesignObstacles& obstacles, const DesignEffort& effort) {
+  using namespace inverse;
+  PreparedDesign prepared(design, obstacles);
+  DesignResult result;
+  bool is_only_part = false;
+  for (const GoalSets& goal : prepared.goals) {
+    is_only_part = is_only_part || is_only_sufficient(prepared.space, design.domain, goal);
+  }
+  const FeasibleCells found =
+      feasible_cells(prepared.space, design.domain, prepared.goals, {effort.most_cells, false, design.margin});
+  const bool is_everywhere = design.domain.shape == DomainShape::everywhere;
+  for (const Cell& cell : found.cells) {
+    result.cells.push_back(told(prepared.space, cell, is_everywhere));
+    result.dimension = std::max(result.dimension, dimension(prepared.space.cells, cell));
+    const auto far = [&](const Corner& corner) { return is_far(prepared.space, corner); };
+    if (is_everywhere && std::ranges::any_of(cell.corners, far)) result.bounded = false;
+  }
+  if (found.cells.empty()) {
+    result.status = is_only_part ? DesignStatus::sufficient_only : DesignStatus::infeasible;
+    name_solids(design, prepared.goals, obstacles, result);
+    if (!is_only_part) result.conflict = conflict(prepared.space, design.domain, prepared.goals, design.margin);
+    return result;
+  }
+  result.status = is_only_part    ? DesignStatus::sufficient_only
+                  : found.is_flat ? DesignStatus::flat
+                                  : DesignStatus::feasible;
+  if (design.variable != FreeVariable::direction && result.bounded) {
+    result.size = total_size(prepared.space, found.cells);
+  } else {
+    result.size.exact.clear();
+  }
+  add_answer(prepared, design, obstacles, effort, found, result);
+  return result;
+}
+
+DesignResult checked_design(const Design& design, const DesignObstacles& obstacles, const Point3& position) {
+  using namespace inverse;
+  PreparedDesign prepared(design, obstacles);
+  DesignResult result;
+  bool is_inside = false;
+  const Cell domain = domain_cell(prepared.space, design.domain, whole_position(design, position), is_inside);
+  result.goals = outcomes(prepared, design, obstacles, position, domain);
+  if (!is_inside) result.remarks.emplace_back("the position lies outside the domain");
+  const bool is_good = is_inside && std::ranges::all_of(result.goals, &GoalOutcome::satisfied);
+  result.status = is_good ? DesignStatus::feasible : DesignStatus::infeasible;
+  DesignAnswer answer;
+  answer.position = position;
+  answer.exact = {exact_number(Rational(position.x)), exact_number(Rational(position.y)),
+                  exact_number(Rational(position.z))};
+  answer.representable = is_good;
+  result.answer = answer;
+  return result;
+}
+
+}  // namespace gnomon
