@@ -48,12 +48,9 @@ TEST_F(Program, NamesAnUnknownCommandAndTheNearestKnownOne) {
   const Outcome run = gnomon("shaddow --out there");
   EXPECT_EQ(run.code, 2);
   EXPECT_THAT(run.out, IsEmpty());
-  EXPECT_THAT(
-      run.err,
-      AllOf(
-          HasSubstr("'shaddow'"), HasSubstr("nearest is 'shadow'"),
-          HasSubstr(
-              "shadow, check, regions, grid, irradiance, radiance, discontinuities, receivers, view-factors, render")));
+  EXPECT_THAT(run.err, AllOf(HasSubstr("'shaddow'"), HasSubstr("nearest is 'shadow'"),
+                             HasSubstr("shadow, check, regions, grid, irradiance, radiance, discontinuities, "
+                                       "receivers, view-factors, place, render")));
 }
 
 TEST_F(Program, RefusesAnOptionInPlaceOfACommand) {
