@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/gnomon/text.h"
+#include "geometry/numbers/printed_bound.h"
 
 namespace gnomon {
 namespace {
@@ -59,6 +60,10 @@ Json answer_json(const SolvedDesign& solved) {
   return json;
 }
 
+Json bounded_json(const BoundedNumber& number) {
+  return {{"double", number.value}, {"error_bound", printed_error_bound(number.value, number.error_bound)}};
+}
+
 Json goals_json(const SolvedDesign& solved) {
   Json list = Json::array();
   for (std::size_t g = 0; g < solved.result.goals.size(); ++g) {
@@ -69,6 +74,8 @@ Json goals_json(const SolvedDesign& solved) {
     if (!outcome.region.empty()) json["region"] = outcome.region;
     if (outcome.slack) json["slack"] = {{"double", *outcome.slack}};
     if (outcome.wall) json["plane"] = wall_json(*outcome.wall, solved);
+    if (outcome.irradiance) json["irradiance"] = bounded_json(*outcome.irradiance);
+    if (outcome.exponent) json["exponent"] = bounded_json(*outcome.exponent);
     list.push_back(std::move(json));
   }
   return list;
@@ -138,7 +145,9 @@ std::string goals_text(const SolvedDesign& solved) {
     const GoalOutcome& outcome = solved.result.goals[g];
     const std::string seen = outcome.region.empty() ? "" : " (" + outcome.region + ")";
     const std::string slack = outcome.slack ? rounded_text(*outcome.slack) : "";
-    const std::string from = outcome.wall ? "from " + wall_text(*outcome.wall, solved) : "";
+    std::string from = outcome.wall ? "from " + wall_text(*outcome.wall, solved) : "";
+    if (outcome.irradiance) from += "; irradiance at least " + rounded_text(outcome.irradiance->value) + " W/m^2";
+    if (outcome.exponent) from += "; Phong's exponent " + rounded_text(outcome.exponent->value);
     rows.push_back({goal.name, std::string(name(goal.want)), (outcome.satisfied ? "yes" : "NO") + seen, slack, from});
   }
   return aligned(rows, 2);

@@ -30,7 +30,7 @@ void add_options(CommandLine& app, PlaceOptions& options) {
   add_json_option(app, options);
   add_text(app, "--choose", options.choose, "WHICH",
            "Which feasible position: centre, of the largest ball in a cell (default); cube, of the largest cube along\n"
-           "the axes; nearest, to --near");
+           "the axes; nearest, to --near; brightest, for the darkest corner of the receivers that are to be lit");
   add_text(app, "--near", options.near, "x,y,z", "With --choose nearest: to this");
   add_text(app, "--check", options.check, "x,y,z", "Only tell what becomes of every goal at this position");
   add_text(app, "--expect", options.expect, "feasible", "Exit code 5 unless there is an answer");
@@ -62,8 +62,10 @@ DesignEffort effort_of(const PlaceOptions& options) {
     effort.choice = Choice::cube;
   } else if (options.choose == "nearest") {
     effort.choice = Choice::nearest;
+  } else if (options.choose == "brightest") {
+    effort.choice = Choice::brightest;
   } else if (options.choose != "centre") {
-    throw UsageError("--choose: found '" + options.choose + "', expected centre, cube or nearest");
+    throw UsageError("--choose: found '" + options.choose + "', expected centre, cube, nearest or brightest");
   }
   const bool is_nearest = effort.choice == Choice::nearest;
   if (is_nearest == options.near.empty()) throw UsageError("--choose nearest and --near x,y,z go together");

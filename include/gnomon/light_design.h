@@ -39,12 +39,16 @@ enum class Want {
   nail,      ///< a blocker's vertex casts its shadow on the subject, a point
   no_reflection,  ///< an eye does not see the light mirrored in the subject, a flat receiver
   not_seen_from,  ///< the subject, a point, is an eye that does not see the light
+  irradiance,     ///< lit, and at least so brightly
+  diffuse_peak,   ///< the light stands on the normal of the subject, a point, and is not hidden from it
+  highlight,      ///< an eye sees the light mirrored at the subject, a point: the highlight's peak
 };
 
 /// The word of goals files.
 constexpr std::string_view name(Want want) {
-  constexpr std::string_view names[] = {"lit",  "shadow", "dark",          "penumbra",
-                                        "edge", "nail",   "no_reflection", "not_seen_from"};
+  constexpr std::string_view names[] = {"lit",        "shadow",       "dark",          "penumbra",
+                                        "edge",       "nail",         "no_reflection", "not_seen_from",
+                                        "irradiance", "diffuse_peak", "highlight"};
   return names[static_cast<int>(want)];
 }
 
@@ -61,7 +65,10 @@ struct DesignGoal {
   std::vector<DesignSubject> subjects;  ///< all of them: the pieces of one receiver
   std::string by = {};                  ///< of all blockers only this one counts; empty: all
   std::uint32_t element = 0;            ///< the edge of `edge`, the vertex of `nail`, as the blocker's file has them
-  Point3 eye = {};                      ///< of `no_reflection`
+  Point3 eye = {};                      ///< of `no_reflection` and `highlight`
+  double at_least = 0;                  ///< of `irradiance`: of a light of intensity 1, lengths in the scene's unit
+  std::optional<Point3> contour = {};   ///< of `highlight`: a point on the highlight's border, with the same normal
+  double threshold = 0.5;               ///< and which share of the peak that border has
   Light light = PointLight{};           ///< of moved blockers: whose shadow is meant
 };
 
@@ -96,6 +103,7 @@ struct Design {
   DesignDomain domain = {};
   std::vector<DesignGoal> goals = {};
   double margin = 0;               ///< how far the answer stays from every boundary of the goals, at least
+  double intensity = 1;            ///< of a point light: what `at_least` 1 is in the scene's irradiance
   std::string variable_name = {};  ///< of the light or blocker, for people
 };
 
@@ -134,9 +142,16 @@ constexpr std::string_view name(DesignStatus status) {
 
 /// Which of all feasible positions is the answer.
 enum class Choice {
-  centre,   ///< of the largest ball: the farthest from every boundary
-  cube,     ///< of the largest cube along the axes
-  nearest,  ///< to a given point
+  centre,     ///< of the largest ball: the farthest from every boundary
+  cube,       ///< of the largest cube along the axes
+  nearest,    ///< to a given point
+  brightest,  ///< where the darkest corner of all subjects of irradiance, else of light, is brightest
+};
+
+/// A number that is off by at most its bound.
+struct BoundedNumber {
+  double value = 0;
+  double error_bound = 0;
 };
 
 /// A position, and what can be said for it.
@@ -152,7 +167,9 @@ struct GoalOutcome {
   bool satisfied = false;
   std::string region;                ///< as exact_visibility says at the rounded position; empty if that is not asked
   std::optional<double> slack = {};  ///< signed distance from the nearest plane that matters, within the domain
-  std::optional<DesignWall> wall = {};  ///< that plane
+  std::optional<DesignWall> wall = {};           ///< that plane
+  std::optional<BoundedNumber> irradiance = {};  ///< of the darkest corner, for `irradiance`, where nothing hides it
+  std::optional<BoundedNumber> exponent = {};    ///< Phong's, that the contour of a highlight asks for
 };
 
 /// Goals of which each is needed to leave nothing.

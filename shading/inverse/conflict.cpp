@@ -9,19 +9,6 @@
 namespace gnomon::inverse {
 namespace {
 
-std::vector<GoalSets> chosen(std::span<const GoalSets> goals, const std::vector<std::uint32_t>& numbers) {
-  std::vector<GoalSets> result;
-  for (const std::uint32_t k : numbers) result.push_back(goals[k]);
-  return result;
-}
-
-bool is_feasible(DesignSpace& space, const DesignDomain& domain, const std::vector<GoalSets>& goals, double margin) {
-  CellEffort effort;
-  effort.margin = margin;
-  effort.stop_at_first = true;
-  return !feasible_cells(space, domain, goals, effort).cells.empty();
-}
-
 bool is_convex(const GoalSets& goal) {
   return goal.none.empty() && std::ranges::all_of(goal.any, [](const auto& sets) { return sets.size() == 1; });
 }
@@ -82,21 +69,36 @@ void add_multipliers(DesignSpace& space, const DesignDomain& domain, const std::
 
 }  // namespace
 
+std::vector<GoalSets> chosen_goals(std::span<const GoalSets> goals, const std::vector<std::uint32_t>& numbers) {
+  std::vector<GoalSets> result;
+  for (const std::uint32_t k : numbers) result.push_back(goals[k]);
+  return result;
+}
+
 DesignConflict conflict(DesignSpace& space, const DesignDomain& domain, std::span<const GoalSets> goals,
                         double margin) {
+  const auto is_feasible = [&](const std::vector<std::uint32_t>& numbers) {
+    const CellEffort effort{10000, true, margin};
+    return !feasible_cells(space, domain, chosen_goals(goals, numbers), effort).cells.empty();
+  };
+  return conflict(space, domain, goals, is_feasible, margin == 0);
+}
+
+DesignConflict conflict(DesignSpace& space, const DesignDomain& domain, std::span<const GoalSets> goals,
+                        const std::function<bool(const std::vector<std::uint32_t>&)>& is_feasible, bool is_polyhedral) {
   DesignConflict result;
   for (std::uint32_t k = 0; k < goals.size(); ++k) result.goals.push_back(k);
   for (std::size_t k = 0; k < result.goals.size();) {
     std::vector<std::uint32_t> fewer = result.goals;
     fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(k));
-    if (is_feasible(space, domain, chosen(goals, fewer), margin)) {
+    if (is_feasible(fewer)) {
       ++k;
     } else {
       result.goals = std::move(fewer);
     }
   }
-  const std::vector<GoalSets> needed = chosen(goals, result.goals);
-  if (margin == 0 && std::ranges::all_of(needed, is_convex)) add_multipliers(space, domain, needed, result);
+  const std::vector<GoalSets> needed = chosen_goals(goals, result.goals);
+  if (is_polyhedral && std::ranges::all_of(needed, is_convex)) add_multipliers(space, domain, needed, result);
   return result;
 }
 

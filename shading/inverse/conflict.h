@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 
 #include "gnomon/light_design.h"
@@ -14,5 +15,13 @@ namespace gnomon::inverse {
 ///           n x + d <= 0 times these sum up to 1 <= 0. Where only boundaries that belong to neither meet, there are
 ///           none.
 DesignConflict conflict(DesignSpace& space, const DesignDomain& domain, std::span<const GoalSets> goals, double margin);
+
+/// The same, `is_feasible` telling whether some goals, by their numbers, leave a position: goals may ask for more than
+/// their sets. `is_polyhedral`: they do not.
+DesignConflict conflict(DesignSpace& space, const DesignDomain& domain, std::span<const GoalSets> goals,
+                        const std::function<bool(const std::vector<std::uint32_t>&)>& is_feasible, bool is_polyhedral);
+
+/// The goals of some numbers.
+std::vector<GoalSets> chosen_goals(std::span<const GoalSets> goals, const std::vector<std::uint32_t>& numbers);
 
 }  // namespace gnomon::inverse

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "shading/inverse/forward.h"
+#include "shading/inverse/highlight.h"
 #include "shading/inverse/moved_sets.h"
 #include "shading/inverse/shadow_sets.h"
 
@@ -25,7 +26,7 @@ void add_front(DesignSpace& space, const DesignSubject& subject, std::uint32_t g
 /// Goals of shadow for a light without size, at a position or in a direction.
 void add_shadow_sets(DesignSpace& space, const DesignGoal& goal, const DesignSubject& subject, std::uint32_t number,
                      const DesignObstacles& obstacles, GoalSets& sets) {
-  const bool is_lit = goal.want == Want::lit;
+  const bool is_lit = goal.want != Want::dark && goal.want != Want::shadow && goal.want != Want::not_seen_from;
   std::vector<ConvexSet> dark, touched;
   for (const std::uint32_t part : parts_that_count(goal, obstacles)) {
     SubjectShadow shadow = subject_shadow(space, subject, obstacles.obstacles.blockers[part], {number, part});
@@ -65,18 +66,36 @@ void add_edge(DesignSpace& space, const DesignSubject& subject, const Point3& fr
   if (beyond) std::ranges::copy(beyond->walls, std::back_inserter(sets.within));
 }
 
-/// The ray from a blocker's vertex away from the subject.
-void add_nail(DesignSpace& space, const DesignSubject& subject, const Point3& vertex, const DesignWall& name,
-              GoalSets& sets) {
-  const ExactVector q = exact(subject.points[0]), b = exact(vertex), along = b - q;
-  if (is_zero(along)) return forbid(sets);
+/// The ray from a point along a vector, without its start.
+void add_ray(DesignSpace& space, const ExactVector& q, const ExactVector& along, const ExactVector& start,
+             const DesignWall& name, GoalSets& sets) {
   ExactVector axis;
   axis[along.x == 0 ? 0 : along.y == 0 ? 1 : 2] = 1;
   if (is_zero(cross(along, axis))) axis = {1, 0, 0};
   const ExactVector across = cross(along, axis), other = cross(along, across);
   sets.on.push_back(space.add(whole_plane(across, Rational(-dot(across, q))), name));
   sets.on.push_back(space.add(whole_plane(other, Rational(-dot(other, q))), name));
-  sets.within.push_back({space.add(whole_plane(Rational(-1) * along, dot(along, b)), name), false});
+  sets.within.push_back({space.add(whole_plane(Rational(-1) * along, dot(along, start)), name), false});
+}
+
+/// The ray from a blocker's vertex away from the subject.
+void add_nail(DesignSpace& space, const DesignSubject& subject, const Point3& vertex, const DesignWall& name,
+              GoalSets& sets) {
+  const ExactVector q = exact(subject.points[0]), b = exact(vertex), along = b - q;
+  if (is_zero(along)) return forbid(sets);
+  add_ray(space, q, along, b, name, sets);
+}
+
+/// The ray on which a light makes the subject brightest, or is mirrored there.
+void add_peak(DesignSpace& space, const DesignGoal& goal, const DesignSubject& subject, std::uint32_t number,
+              GoalSets& sets) {
+  const ExactVector q = exact(subject.points[0]), normal = exact(std::get<FacingNormal>(*subject.front).normal);
+  const auto along = goal.want == Want::highlight ? mirror_direction(normal, exact(goal.eye) - q) : normal;
+  if (!along) return forbid(sets);
+  DesignWall name;
+  name.kind = DesignWall::Kind::front;
+  name.goal = number;
+  add_ray(space, q, *along, q, name, sets);
 }
 
 /// Edges and nails name elements of a blocker of one part.
@@ -149,6 +168,7 @@ GoalSets goal_sets(DesignSpace& space, const Design& design, std::uint32_t numbe
     if (goal.want == Want::no_reflection) {
       sets.none.push_back(mirror_set(space, subject, goal.eye, number));
     } else {
+      if (goal.want == Want::diffuse_peak || goal.want == Want::highlight) add_peak(space, goal, subject, number, sets);
       add_shadow_sets(space, goal, subject, number, obstacles, sets);
     }
   }

@@ -76,7 +76,7 @@ class DomainReader {
   DesignDomain domain() {
     constexpr const char* shapes =
         "a domain's shape among \"everywhere\", \"box\", \"polytope\", \"polygon\", \"segment\", \"polyline\", "
-        "\"directions\"";
+        "\"directions\", of a scale \"interval\"";
     node_.require_object("a domain: an object with a \"shape\"");
     const JsonNode shape = node_.required("shape", shapes);
     const std::string word = shape.string(shapes);
@@ -84,6 +84,7 @@ class DomainReader {
     if (word == "box") return box();
     if (word == "polytope") return polytope();
     if (word == "polygon") return polygon();
+    if (word == "interval") return interval();
     if (word == "segment") return line(DomainShape::segment, 2, 2);
     if (word == "polyline") return line(DomainShape::polyline, 2, 1000);
     if (word == "directions") return directions();
@@ -103,6 +104,17 @@ class DomainReader {
     const Point3 a = point3(least), b = point3(most);
     if (a.x >= b.x || a.y >= b.y || a.z >= b.z) most.refuse_value("numbers above those of \"min\"");
     return {DomainShape::box, {a, b}};
+  }
+
+  /// Of scales, along the x-axis.
+  DesignDomain interval() {
+    node_.allow_keys({"shape", "min", "max"}, "an interval");
+    const double least = finite(node_.required("min", "the least scale"), "a number above 0");
+    const JsonNode most = node_.required("max", "the largest scale");
+    const double largest = finite(most, "a number above \"min\"");
+    if (!(least > 0)) node_.required("min", "").refuse_value("a number above 0");
+    if (!(largest > least)) most.refuse_value("a number above \"min\"");
+    return {DomainShape::segment, {{least, 0, 0}, {largest, 0, 0}}};
   }
 
   std::vector<Point3> vertices(std::string_view what) {
@@ -212,6 +224,9 @@ class GoalsReader {
         named_light(node.required("light", "the name of the light that is sought, or \"blocker\""), scene_);
     design_.light = chosen.shape;
     design_.variable_name = chosen.name;
+    const LengthUnit unit = length_unit_named(scene_.length_unit).value();
+    const double metres = unit.top / unit.bottom;
+    design_.intensity = chosen.strength / (metres * metres);
     if (chosen.is_part()) node.refuse_as_unsupported("a light of several parts", "a light of one convex shape");
     constexpr const char* words = "\"position\", \"direction\", \"translation\" or \"scale\"";
     const JsonNode free = node.required("free", words);
@@ -260,6 +275,13 @@ class GoalsReader {
     const auto node = document_.optional("domain");
     if (node) design_.domain = DomainReader(*node).domain();
     const bool is_cone = design_.domain.shape == DomainShape::directions;
+    const bool is_interval = node && node->required("shape", "a shape").string("a shape") == "interval";
+    if ((design_.variable == FreeVariable::scale) != is_interval) {
+      node.value_or(document_).refuse(
+          is_interval ? "an interval" : "no interval of scales",
+          is_interval ? "a domain of positions"
+                      : "\"domain\": {\"shape\": \"interval\", \"min\": ..., \"max\": ...}, because a scale is sought");
+    }
     if (design_.variable == FreeVariable::direction) {
       if (!node) design_.domain.shape = DomainShape::directions;
       if (node && !is_cone) node->refuse("a domain of positions", "\"directions\", because a direction is sought");
@@ -270,9 +292,10 @@ class GoalsReader {
 
   Want want(const JsonNode& node) {
     constexpr const char* words =
-        "\"lit\", \"shadow\", \"dark\", \"penumbra\", \"edge\", \"nail\", \"no_reflection\" or \"not_seen_from\"";
+        "\"lit\", \"shadow\", \"dark\", \"penumbra\", \"edge\", \"nail\", \"no_reflection\", \"not_seen_from\", "
+        "\"irradiance\", \"diffuse_peak\" or \"highlight\"";
     const std::string word = node.string(words);
-    for (int k = 0; k <= static_cast<int>(Want::not_seen_from); ++k) {
+    for (int k = 0; k <= static_cast<int>(Want::highlight); ++k) {
       if (name(static_cast<Want>(k)) == word) return static_cast<Want>(k);
     }
     node.refuse_value(words);
@@ -287,7 +310,9 @@ class GoalsReader {
       if (other.name == goal.name) name_node.refuse("the name " + in_quotes(goal.name) + " again", "a name of its own");
     }
     const JsonNode node = given.as_element("goal " + in_quotes(goal.name));
-    node.allow_keys({"name", "at", "on", "normal", "want", "by", "edge", "vertex", "eye", "light"}, "a goal");
+    node.allow_keys({"name", "at", "on", "normal", "want", "by", "edge", "vertex", "eye", "light", "at_least",
+                     "contour", "threshold"},
+                    "a goal");
     goal.want = want(node.required("want", "what is wanted"));
     read_subjects(node, goal);
     if (const auto by = node.optional("by")) goal.by = named_blocker(*by, obstacles_);
@@ -295,6 +320,8 @@ class GoalsReader {
     read_eye(node, goal);
     read_goal_light(node, goal);
     check_kind(node, goal);
+    read_brightness(node, goal);
+    read_peak(node, goal);
     design_.goals.push_back(std::move(goal));
   }
 
@@ -355,13 +382,15 @@ class GoalsReader {
 
   void read_eye(const JsonNode& node, DesignGoal& goal) {
     const auto eye = node.optional("eye");
-    if (eye && goal.want != Want::no_reflection) eye->refuse("an eye", "none, but with \"want\": \"no_reflection\"");
-    if (goal.want != Want::no_reflection) return;
+    const bool has_eye = goal.want == Want::no_reflection || goal.want == Want::highlight;
+    if (eye && !has_eye) eye->refuse("an eye", "none, but with \"want\": \"no_reflection\" or \"highlight\"");
+    if (!has_eye) return;
     const JsonNode needed = node.required("eye", "where the eye is: three coordinates");
     goal.eye = point3(needed);
-    if (goal.subjects[0].points.size() < 3) node.refuse("a point", "a flat receiver that the goal is \"on\"");
+    if (goal.want == Want::no_reflection && goal.subjects[0].points.size() < 3)
+      node.refuse("a point", "a flat receiver that the goal is \"on\"");
     for (const DesignSubject& subject : goal.subjects) {
-      if (value(front_plane(subject), whole_point(goal.eye)) >= 0) {
+      if (subject.front && value(front_plane(subject), whole_point(goal.eye)) >= 0) {
         needed.refuse("an eye behind the receiver, or in its plane", "an eye before it");
       }
     }
@@ -377,6 +406,50 @@ class GoalsReader {
     goal.light =
         named_light(node.required("light", "the light whose shadow is meant, because a blocker is moved"), scene_)
             .shape;
+  }
+
+  void read_brightness(const JsonNode& node, DesignGoal& goal) {
+    const auto at_least = node.optional("at_least");
+    if (at_least && goal.want != Want::irradiance)
+      at_least->refuse("at_least", "none, but with \"want\": \"irradiance\"");
+    if (goal.want != Want::irradiance) return;
+    const JsonNode want = node.required("want", "what is wanted");
+    if (design_.variable != FreeVariable::position) {
+      want.refuse_as_unsupported("\"irradiance\" where no position of a point light is sought",
+                                 "a point light's position");
+    }
+    if (!goal.subjects[0].front)
+      want.refuse("\"irradiance\" at a point without a normal", "a \"normal\", or a receiver");
+    if (!goal.by.empty())
+      node.required("by", "nothing").refuse("a blocker", "none: all count where irradiance is wanted");
+    constexpr const char* expected = "an irradiance above 0, in W/m^2";
+    const JsonNode number = node.required("at_least", expected);
+    const double wanted = finite(number, expected);
+    if (!(wanted > 0)) number.refuse_value(expected);
+    goal.at_least = wanted / design_.intensity;
+    if (!std::isfinite(goal.at_least) || goal.at_least == 0) {
+      number.refuse("an irradiance that this light does not give anywhere", expected);
+    }
+  }
+
+  void read_peak(const JsonNode& node, DesignGoal& goal) {
+    const auto contour = node.optional("contour"), threshold = node.optional("threshold");
+    const bool is_highlight = goal.want == Want::highlight;
+    if (contour && !is_highlight) contour->refuse("a contour", "none, but with \"want\": \"highlight\"");
+    if (threshold && !contour) threshold->refuse("a threshold without a \"contour\"", "both or none");
+    if (contour) goal.contour = point3(*contour);
+    if (threshold) {
+      goal.threshold = finite(*threshold, "a number between 0 and 1");
+      if (!(goal.threshold > 0 && goal.threshold < 1)) threshold->refuse_value("a number between 0 and 1");
+    }
+    if (!is_highlight && goal.want != Want::diffuse_peak) return;
+    const JsonNode want = node.required("want", "what is wanted");
+    const bool is_point = goal.subjects[0].points.size() == 1 && goal.subjects[0].front;
+    if (!is_point) want.refuse(want.description() + " without a point and its normal", "\"at\" with a \"normal\"");
+    if (design_.variable != FreeVariable::position && design_.variable != FreeVariable::direction) {
+      want.refuse_as_unsupported(want.description() + " where a light or blocker is moved",
+                                 "a point light's position or a direction");
+    }
   }
 
   void check_kind(const JsonNode& node, const DesignGoal& goal) {

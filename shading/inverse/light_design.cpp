@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "geometry/numbers/rounding.h"
+#include "shading/inverse/brightness.h"
 #include "shading/inverse/choice.h"
 #include "shading/inverse/conflict.h"
 #include "shading/inverse/feasible_region.h"
@@ -131,25 +133,84 @@ Whole whole_position(const Design& design, const Point3& p) {
   return design.variable == FreeVariable::direction ? whole_direction(p) : whole_point(p);
 }
 
-void add_answer(PreparedDesign& prepared, const Design& design, const DesignObstacles& obstacles,
+/// The corners that some goals want bright: those of irradiance, or without these of light.
+std::vector<BrightPoint> wanted_points(const Design& design, const std::vector<std::uint32_t>& goals, Want want) {
+  std::vector<BrightPoint> points;
+  for (const std::uint32_t g : goals) {
+    const DesignGoal& goal = design.goals[g];
+    if (goal.want != want || !goal.subjects[0].front) continue;
+    std::ranges::move(bright_points(goal), std::back_inserter(points));
+  }
+  return points;
+}
+
+std::vector<std::uint32_t> all_goals(const Design& design) {
+  std::vector<std::uint32_t> numbers(design.goals.size());
+  std::iota(numbers.begin(), numbers.end(), 0U);
+  return numbers;
+}
+
+/// Whether some goals leave a position that is bright enough for those of irradiance among them.
+bool leaves_a_position(PreparedDesign& prepared, const Design& design, const std::vector<std::uint32_t>& goals) {
+  const std::vector<BrightPoint> points = wanted_points(design, goals, Want::irradiance);
+  const CellEffort effort{10000, points.empty(), design.margin};
+  const FeasibleCells found =
+      feasible_cells(prepared.space, design.domain, chosen_goals(prepared.goals, goals), effort);
+  if (found.cells.empty() || points.empty()) return !found.cells.empty();
+  return brightest_position(prepared.space, found.cells, points).most >= 1;
+}
+
+/// The brightest position of all, if that is the choice or the only way to be bright enough.
+///
+/// Returns: nothing if no position is bright enough.
+std::optional<ChosenPoint> bright_point(PreparedDesign& prepared, const Design& design, const DesignEffort& effort,
+                                        const FeasibleCells& found, DesignResult& result) {
+  std::vector<BrightPoint> points = wanted_points(design, all_goals(design), Want::irradiance);
+  const bool is_choice = effort.choice == Choice::brightest;
+  if (is_choice && points.empty()) points = wanted_points(design, all_goals(design), Want::lit);
+  if (points.empty()) {
+    if (is_choice) throw DesignError("the brightest position needs a goal of light or irradiance on a receiver");
+    return chosen_point(prepared.space, found.cells, effort.choice, effort.near);
+  }
+  const auto is_enough = [&](const ExactVector& p) {
+    return std::ranges::all_of(points, [&](const BrightPoint& point) { return is_bright_enough(point, p); });
+  };
+  const bool is_wanted = !wanted_points(design, all_goals(design), Want::irradiance).empty();
+  if (!is_choice) {
+    const ChosenPoint point = chosen_point(prepared.space, found.cells, effort.choice, effort.near);
+    if (is_enough(point.position)) return point;
+  }
+  const BrightestPosition best = brightest_position(prepared.space, found.cells, points);
+  if (is_wanted && !is_enough(best.position)) {
+    if (best.most >= 1) result.remarks.emplace_back("whether a position is bright enough was not decided");
+    return std::nullopt;
+  }
+  if (!is_choice) result.remarks.emplace_back("the position that was to be chosen is too dark: this is the brightest");
+  return ChosenPoint{best.position, 0};
+}
+
+/// Returns: false if no position is bright enough.
+bool add_answer(PreparedDesign& prepared, const Design& design, const DesignObstacles& obstacles,
                 const DesignEffort& effort, const FeasibleCells& found, DesignResult& result) {
   const bool is_direction = design.variable == FreeVariable::direction;
   if (!result.bounded && effort.choice != Choice::nearest && !is_direction) {
     throw DesignError(
         "the feasible region is unbounded and has no centre: a domain bounds it, --choose nearest needs none");
   }
-  const ChosenPoint point = is_direction ? chosen_direction(prepared.space, found.cells)
-                                         : chosen_point(prepared.space, found.cells, effort.choice, effort.near);
+  const std::optional<ChosenPoint> point = is_direction ? chosen_direction(prepared.space, found.cells)
+                                                        : bright_point(prepared, design, effort, found, result);
+  if (!point) return false;
   DesignAnswer answer;
-  answer.position = rounded(point.position);
-  for (std::size_t k = 0; k < 3; ++k) answer.exact[k] = exact_number(point.position[k]);
-  answer.margin = nearest_double(point.radius);
-  if (Rational(answer.margin) > point.radius) answer.margin = std::nextafter(answer.margin, 0);
+  answer.position = rounded(point->position);
+  for (std::size_t k = 0; k < 3; ++k) answer.exact[k] = exact_number(point->position[k]);
+  answer.margin = nearest_double(point->radius);
+  if (Rational(answer.margin) > point->radius) answer.margin = std::nextafter(answer.margin, 0);
   bool is_inside = false;
   const Cell domain = domain_cell(prepared.space, design.domain, whole_position(design, answer.position), is_inside);
   result.goals = outcomes(prepared, design, obstacles, answer.position, domain);
   answer.representable = is_inside && std::ranges::all_of(result.goals, &GoalOutcome::satisfied);
   result.answer = answer;
+  return true;
 }
 
 void name_solids(const Design& design, const std::vector<GoalSets>& goals, const DesignObstacles& obstacles,
@@ -212,7 +273,10 @@ DesignResult solved_design(const Design& design, const DesignObstacles& obstacle
   } else {
     result.size.exact.clear();
   }
-  add_answer(prepared, design, obstacles, effort, found, result);
+  if (add_answer(prepared, design, obstacles, effort, found, result)) return result;
+  result.status = DesignStatus::infeasible;
+  const auto is_feasible = [&](const auto& goals) { return leaves_a_position(prepared, design, goals); };
+  result.conflict = conflict(prepared.space, design.domain, prepared.goals, is_feasible, false);
   return result;
 }
 

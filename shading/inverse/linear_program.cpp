@@ -142,8 +142,8 @@ Tableau<Number> first_tableau(const StandardProgram& program, const From& from) 
   return Tableau<Number>(std::move(rows), n);
 }
 
-/// The columns of a basis that doubles take for the best.
-std::vector<std::size_t> likely_basis(const StandardProgram& program) {
+/// The tableau that doubles take for the last.
+Tableau<double> likely_tableau(const StandardProgram& program) {
   constexpr std::size_t most_steps = 1000;
   auto tableau = first_tableau<double>(program, nearest_double);
   std::vector<double> cost;
@@ -152,6 +152,11 @@ std::vector<std::size_t> likely_basis(const StandardProgram& program) {
   tableau.improve(most_steps);
   tableau.set_cost(cost, 0);
   tableau.improve(most_steps);
+  return tableau;
+}
+
+std::vector<std::size_t> likely_basis(const StandardProgram& program) {
+  const Tableau<double> tableau = likely_tableau(program);
   std::vector<std::size_t> basis;
   for (const std::size_t column : tableau.basis()) {
     if (!tableau.is_artificial(column)) basis.push_back(column);
@@ -170,6 +175,16 @@ std::vector<Rational> multipliers_of(const Tableau<Rational>& tableau, const Sta
 }
 
 }  // namespace
+
+std::vector<double> rough_multipliers(const StandardProgram& program) {
+  const Tableau<double> tableau = likely_tableau(program);
+  std::vector<double> result;
+  for (std::size_t i = 0; i < program.right.size(); ++i) {
+    const double y = -tableau.reduced_cost(program.columns.size() + i);
+    result.push_back(program.right[i] < 0 ? -y : y);
+  }
+  return result;
+}
 
 ProgramSolution solved_program(const StandardProgram& program) {
   constexpr std::size_t no_limit = ~std::size_t{0};

@@ -28,4 +28,7 @@ struct ProgramSolution {
 /// Method:    the simplex method with Bland's rule, which ends always.
 ProgramSolution solved_program(const StandardProgram& program);
 
+/// The multipliers as doubles find them, right to nothing in particular: a place where exact work may begin.
+std::vector<double> rough_multipliers(const StandardProgram& program);
+
 }  // namespace gnomon::inverse

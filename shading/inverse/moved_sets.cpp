@@ -6,6 +6,7 @@
 #include "shading/inverse/feasible_region.h"
 #include "shading/inverse/forward.h"
 #include "shading/inverse/goal_sets.h"
+#include "shading/inverse/scaled_sets.h"
 #include "shading/inverse/shadow_sets.h"
 
 namespace gnomon::inverse {
@@ -243,8 +244,10 @@ void add_moved_sets(DesignSpace& space, const Design& design, std::uint32_t goal
       return add_translations(space, design, goal, subject, obstacles, sets);
     case FreeVariable::blocker:
       return add_blocker_shifts(space, design, goal, subject, obstacles, sets);
+    case FreeVariable::scale:
+      return add_scales(space, design, goal, subject, obstacles, sets);
     default:
-      throw DesignError("a light is not scaled yet");
+      break;
   }
 }
 

@@ -1,9 +1,12 @@
 #include "shading/inverse/outcome.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/numbers/rounding.h"
+#include "shading/inverse/brightness.h"
 #include "shading/inverse/forward.h"
+#include "shading/inverse/highlight.h"
 #include "shading/inverse/lengths.h"
 
 namespace gnomon::inverse {
@@ -99,11 +102,33 @@ std::optional<Region> region_of(const Design& design, const DesignGoal& goal, co
 
 bool is_asked_of_visibility(Want want) {
   return want == Want::lit || want == Want::shadow || want == Want::dark || want == Want::penumbra ||
-         want == Want::not_seen_from;
+         want == Want::not_seen_from || want == Want::irradiance;
+}
+
+/// The irradiance of the darkest corner, in the scene's units.
+BoundedNumber darkest_irradiance(const Design& design, const DesignGoal& goal, const ExactVector& position) {
+  double least = HUGE_VAL;
+  for (const BrightPoint& point : bright_points(goal)) least = std::fmin(least, unit_irradiance(point, position));
+  return {least * design.intensity, least * design.intensity * 0x1p-49};
+}
+
+/// What brightness and highlights say of themselves.
+void add_shading(const Design& design, const DesignGoal& goal, const Point3& position, GoalOutcome& outcome) {
+  if (goal.want == Want::irradiance) {
+    outcome.irradiance = darkest_irradiance(design, goal, exact(position));
+    const auto is_bright = [&](const BrightPoint& point) { return is_bright_enough(point, exact(position)); };
+    outcome.satisfied = outcome.satisfied && std::ranges::all_of(bright_points(goal), is_bright);
+  }
+  if (goal.want != Want::highlight || !goal.contour) return;
+  const ExactVector q = exact(*goal.contour);
+  const bool is_direction = design.variable == FreeVariable::direction;
+  outcome.exponent = phong_exponent(exact(std::get<FacingNormal>(*goal.subjects[0].front).normal), exact(goal.eye) - q,
+                                    is_direction ? exact(position) : exact(position) - q, goal.threshold);
 }
 
 bool is_satisfied_by(Region region, Want want) {
   switch (want) {
+    case Want::irradiance:
     case Want::lit:
       return region == Region::lit;
     case Want::shadow:
@@ -132,6 +157,7 @@ GoalOutcome goal_outcome(DesignSpace& space, const Design& design, std::uint32_t
       outcome.region = std::string(name(*region));
     }
   }
+  add_shading(design, goal, position, outcome);
   if (const auto slack = SlackMeter(space, domain, point).of(sets)) {
     const double distance = nearest_root(Rational(abs(slack->square)));
     outcome.slack = slack->square < 0 ? -distance : distance;

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "tests/apps/gnomon/program_fixture.h"
@@ -15,9 +16,9 @@ using testing::HasSubstr;
 class PlaceCommand : public Program {
  protected:
   PlaceCommand() {
-    for (const char* name :
-         {"desk.scene.json", "desk.goals.json", "desk_ceiling.goals.json", "desk_conflict.goals.json",
-          "overhang.scene.json", "overhang.goals.json", "figure_5_35.scene.json", "figure_5_35.goals.json"}) {
+    for (const char* name : {"desk.scene.json", "desk.goals.json", "desk_ceiling.goals.json",
+                             "desk_conflict.goals.json", "desk_bright.goals.json", "overhang.scene.json",
+                             "overhang.goals.json", "figure_5_35.scene.json", "figure_5_35.goals.json"}) {
       std::ifstream file(std::string(GNOMON_EXAMPLES "/") + name);
       write(name, std::string(std::istreambuf_iterator<char>(file), {}));
     }
@@ -94,6 +95,16 @@ TEST_F(PlaceCommand, MeetsTwoNails) {
   EXPECT_EQ(result["region"]["dimension"], 0);
 }
 
+TEST_F(PlaceCommand, MakesTheDeskBrightEnough) {
+  const json result = placed("desk.scene.json --goals desk_bright.goals.json");
+  EXPECT_EQ(result["answer"]["exact"][0], "6");
+  EXPECT_NEAR(result["goals"][3]["irradiance"]["double"], 24000 / (621 * std::sqrt(621)), 1e-12);
+  EXPECT_EQ(result["goals"][3]["satisfied"], true);
+  EXPECT_EQ(result["remarks"].size(), 1U);
+  const json brightest = placed("desk.scene.json --goals desk.goals.json --choose brightest");
+  EXPECT_EQ(brightest["answer"]["exact"][0], "6");
+}
+
 TEST_F(PlaceCommand, TakesTheNearestPlace) {
   const json result = placed("desk.scene.json --goals desk_ceiling.goals.json --choose nearest --near 0,0,24");
   EXPECT_EQ(result["answer"]["position"], json::parse("[6, 0, 24]"));
@@ -126,6 +137,14 @@ TEST_F(PlaceCommand, RefusesGoalsByPlaceNameFoundAndExpected) {
   expect("\"segment\"", "\"polytope\"", "/domain/vertices", "without a volume");
   expect("\"goals\"", "\"margin\": -1, \"goals\"", "/margin", "at least 0");
   expect("\"goals\"", "\"margin\": 1e999, \"goals\"", "", "expected");
+  expect("\"want\": \"lit\"", "\"want\": \"irradiance\"", "/goals/1/at_least", "no such key");
+  expect("\"want\": \"lit\"", "\"want\": \"irradiance\", \"at_least\": -1", "/goals/1/at_least", "the number -1");
+  expect("\"want\": \"lit\"", "\"want\": \"highlight\", \"eye\": [0, 0, 9]", "/goals/1/want", "its normal");
+  expect("\"want\": \"dark\", \"by\": \"shelf\"",
+         "\"normal\": [0, 0, 1], \"want\": \"highlight\", \"eye\": [0, 0, 9], \"contour\": [1, 1, 0], \"threshold\": 1",
+         "/goals/0/threshold", "between 0 and 1");
+  expect("\"segment\", \"vertices\": [[0, 3, 24], [24, 3, 24]]", "\"interval\", \"min\": 1, \"max\": 2", "/domain",
+         "an interval");
   expect("\"gnomon_goals\": 1", "\"gnomon_goals\": 2", "/gnomon_goals", "the number 2");
   expect("\"name\": \"desk\"", "\"name\": \"pillow\"", "/goals/1/name", "again");
   expect("\"name\": \"desk\"", "\"name\": \"desk\", \"colour\": 1", "/goals/1/colour", "unknown key");

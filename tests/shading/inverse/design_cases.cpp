@@ -2,6 +2,7 @@
 
 #include <sstream>
 
+#include "geometry/bodies/body.h"
 #include "shading/inverse/forward.h"
 
 namespace gnomon::test_support {
@@ -109,6 +110,12 @@ std::string told(const DesignCase& c, const Point3& position) {
   for (const DesignGoal& goal : c.design.goals) {
     text << name(goal.want) << " by '" << goal.by << "'";
     for (const DesignSubject& s : goal.subjects) add(s.points);
+  }
+  if (c.design.variable == FreeVariable::scale || c.design.variable == FreeVariable::translation) {
+    text << "light";
+    add(light_points(c.design.light));
+    text << "about";
+    add({&c.design.centre, 1});
   }
   text << "at";
   add({&position, 1});

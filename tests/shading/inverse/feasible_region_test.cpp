@@ -232,6 +232,44 @@ TEST(FeasibleRegionAgreement, HoldsExactlyTheShiftsOfABlocker) {
   EXPECT_GT(tally.inside, cases_drawn / 2);
 }
 
+TEST(FeasibleRegionAgreement, HoldsExactlyTheScalesOfALight) {
+  int inside = 0, outside = 0;
+  for (std::uint32_t seed = first_seed; seed < first_seed + cases_drawn; ++seed) {
+    Dice dice(seed);
+    DesignCase c;
+    const Numbers numbers = dice.once_in(2) ? Numbers::large : Numbers::small;
+    c.obstacles = drawn_obstacles(dice, numbers, dice.draw(1, 2));
+    c.design.variable = FreeVariable::scale;
+    const Point3 p = drawn_point(dice, numbers, 6, 8);
+    c.design.centre = {p.x + dice.draw(-1, 1), p.y + dice.draw(-1, 1), p.z + dice.draw(-1, 1)};
+    c.design.light = dice.once_in(3)
+                         ? Light(LinearLight{p, {p.x + 1, p.y + 2, p.z + 1}})
+                         : AreaLight{ConvexPolygon::from_points({p, {p.x, p.y + 1, p.z}, {p.x + 1, p.y, p.z}})};
+    c.design.domain = {DomainShape::segment, {{0.25, 0, 0}, {8, 0, 0}}};
+    DesignGoal goal;
+    goal.name = "g";
+    goal.want = dice.one_of(std::array{Want::dark, Want::lit, Want::shadow, Want::penumbra});
+    goal.subjects = {{{drawn_point(dice, numbers, -1, 0)}, {}}};
+    goal.by = "b0";
+    c.design.goals = {goal};
+    CaseRegion region(c);
+    for (int k = 2; k <= 64 && !region.found.is_flat; ++k) {
+      const Point3 scale = {k / 8.0, 0, 0};
+      const Place place = region.place(scale);
+      inside += place == Place::inside ? 1 : 0;
+      outside += place == Place::outside ? 1 : 0;
+      ASSERT_TRUE(place != Place::inside || region.is_grazing(scale) || is_fulfilled(c, scale))
+          << "seed " << seed << '\n'
+          << told(c, scale);
+      if (place == Place::outside && !region.is_grazing(scale)) {
+        ASSERT_FALSE(is_fulfilled(c, scale)) << "seed " << seed << '\n' << told(c, scale);
+      }
+    }
+  }
+  EXPECT_GT(inside, cases_drawn);
+  EXPECT_GT(outside, cases_drawn);
+}
+
 TEST(FeasibleRegion, TellsJointDarknessOfAMovedLight) {
   DesignCase c;
   c.obstacles.obstacles.blockers = {ConvexPolygon::from_points({{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}),

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <set>
+#include <cmath>
 
 #include "shading/inverse/conflict.h"
 #include "shading/inverse/feasible_region.h"
@@ -288,6 +288,79 @@ TEST(LightDesign, FindsTheDirectionsThatHideAPoint) {
   const DesignResult both = solved_design(design, one_blocker(shelf), {});
   EXPECT_EQ(both.status, DesignStatus::feasible);
   for (const GoalOutcome& outcome : both.goals) EXPECT_TRUE(outcome.satisfied);
+}
+
+TEST(LightDesignDegenerate, ALampInTheShelfsPlaneIsHiddenFromNothing) {
+  Design design;
+  design.domain = {DomainShape::segment, {{13, 3, 12}, {17, 3, 12}}};
+  design.goals = {{.name = "pillow", .want = Want::lit, .subjects = {{{{15, 3, 0}}, {}}}}};
+  EXPECT_EQ(solved_design(design, one_blocker(shelf), {}).size.exact, "4");
+  design.goals[0].want = Want::dark;
+  EXPECT_EQ(solved_design(design, one_blocker(shelf), {}).status, DesignStatus::infeasible);
+}
+
+TEST(LightDesign, HangsTheLampWhereTheDesksDarkestCornerIsBrightest) {
+  Design design = lamp_over_a_desk(track);
+  DesignEffort effort;
+  effort.choice = Choice::brightest;
+  const DesignResult result = solved_design(design, one_blocker(shelf), effort);
+  EXPECT_EQ(result.answer->exact[0].exact, "6");
+  const double brightest = 24 / (621 * std::sqrt(621));
+  design.goals.push_back({.name = "enough", .want = Want::irradiance, .subjects = {desk()}});
+  design.goals.back().at_least = brightest * (1 - 1e-12);
+  const DesignResult enough = solved_design(design, one_blocker(shelf), {});
+  EXPECT_EQ(enough.answer->position.x, 6);
+  EXPECT_NEAR(enough.goals[3].irradiance->value, brightest, 1e-15 * brightest);
+  design.goals.back().at_least = brightest * (1 + 1e-6);
+  const DesignResult dark = solved_design(design, one_blocker(shelf), {});
+  EXPECT_EQ(dark.status, DesignStatus::infeasible);
+  EXPECT_THAT(dark.conflict->goals, testing::Contains(3U));
+  design.goals.back().at_least = 0.001;
+  EXPECT_EQ(solved_design(design, one_blocker(shelf), {}).answer->position.x, 7.5);
+}
+
+TEST(LightDesign, PutsALightOnTheNormalAndTheMirrorRay) {
+  Design design;
+  design.domain = ceiling;
+  const DesignSubject spot = {{{4, 3, 0}}, FacingNormal{{0, 0, 1}}};
+  design.goals = {{.name = "peak", .want = Want::diffuse_peak, .subjects = {spot}}};
+  EXPECT_EQ(solved_design(design, one_blocker(shelf), {}).answer->position, (Point3{4, 3, 24}));
+  design.goals = {
+      {.name = "shine", .want = Want::highlight, .subjects = {spot}, .eye = {0, 1, 8}, .contour = Point3{5, 3, 0}}};
+  const DesignResult result = solved_design(design, one_blocker(shelf), {});
+  EXPECT_EQ(result.answer->position, (Point3{16, 9, 24}));
+  // (R · L)^n = 1/2, in doubles: R mirrors the way to the eye.
+  const double r[3] = {5, 2, 8}, l[3] = {11, 6, 24};
+  const double cosine = (r[0] * l[0] + r[1] * l[1] + r[2] * l[2]) / std::sqrt((25.0 + 4 + 64) * (121 + 36 + 576));
+  const double exponent = std::log(0.5) / std::log(cosine);
+  EXPECT_NEAR(result.goals[0].exponent->value, exponent, 1e-9 * exponent);
+  EXPECT_LE(result.goals[0].exponent->error_bound, 1e-12 * exponent);
+  design.variable = FreeVariable::direction;
+  design.domain = {DomainShape::directions, {}};
+  const Point3 towards = solved_design(design, one_blocker(shelf), {}).answer->position;
+  EXPECT_EQ(towards.x / towards.z, 0.5);
+  EXPECT_EQ(towards.y / towards.z, 0.25);
+}
+
+/// A lamp of half side s behind a shelf of half side 1 half way up: dark to s = 2, and lit from nowhere on.
+TEST(LightDesign, ScalesALampUntilItIsSeen) {
+  const auto board = ConvexPolygon::from_points({{-1, -1, 2}, {1, -1, 2}, {1, 1, 2}, {-1, 1, 2}});
+  Design design;
+  design.variable = FreeVariable::scale;
+  design.centre = {0, 0, 4};
+  design.light = AreaLight{ConvexPolygon::from_points({{-1, -1, 4}, {-1, 1, 4}, {1, 1, 4}, {1, -1, 4}})};
+  design.domain = {DomainShape::segment, {{0.25, 0, 0}, {8, 0, 0}}};
+  design.goals = {{.name = "p", .want = Want::dark, .subjects = {{{{0, 0, 0}}, {}}}}};
+  const DesignResult dark = solved_design(design, one_blocker(board), {});
+  EXPECT_EQ(dark.size.exact, "7/4");
+  EXPECT_EQ(dark.goals[0].region, "umbra");
+  design.goals[0].want = Want::lit;
+  EXPECT_EQ(solved_design(design, one_blocker(board), {}).status, DesignStatus::infeasible);
+  design.goals[0].subjects[0].points[0] = {5, 0, 0};  // half of the line to the light: seen while s <= 3
+  const DesignResult lit = solved_design(design, one_blocker(board), {});
+  EXPECT_EQ(lit.size.exact, "11/4");
+  design.goals[0].want = Want::penumbra;
+  EXPECT_EQ(solved_design(design, one_blocker(board), {}).size.exact, "5");
 }
 
 TEST(LightDesign, SaysWhereReceiversMayBeDarkBehindBlockersTogether) {
