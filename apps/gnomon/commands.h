@@ -61,6 +61,9 @@ ExitCode view_factors_command(Arguments arguments);
 /// `gnomon place`: where a light may stand so that wanted shadows come about.
 ExitCode place_command(Arguments arguments);
 
+/// `gnomon sunlight`: when the sun shines on points through a day.
+ExitCode sunlight_command(Arguments arguments);
+
 /// `gnomon render`: a picture of a scene or of a folder written by `gnomon shadow`.
 ExitCode render_command(Arguments arguments);
 

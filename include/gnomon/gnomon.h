@@ -35,6 +35,7 @@
 #include "gnomon/scene.h"
 #include "gnomon/shadow_mesh.h"
 #include "gnomon/shadow_volume.h"
+#include "gnomon/sunlight.h"
 #include "gnomon/view_factors.h"
 #include "gnomon/visibility.h"
 #include "gnomon/writer.h"
