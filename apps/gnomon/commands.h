@@ -64,6 +64,9 @@ ExitCode place_command(Arguments arguments);
 /// `gnomon sunlight`: when the sun shines on points through a day.
 ExitCode sunlight_command(Arguments arguments);
 
+/// `gnomon fit`: intensities of lights, or a material, from wanted brightness.
+ExitCode fit_command(Arguments arguments);
+
 /// `gnomon render`: a picture of a scene or of a folder written by `gnomon shadow`.
 ExitCode render_command(Arguments arguments);
 

@@ -18,6 +18,7 @@ constexpr std::array commands{
     Command{"view-factors", "view factors between surfaces, each with a bound", view_factors_command},
     Command{"place", "every place of a light that casts wanted shadows", place_command},
     Command{"sunlight", "when the sun shines on points through a day", sunlight_command},
+    Command{"fit", "intensities of lights, or a material, for wanted brightness", fit_command},
     Command{"render", "makes a picture of a scene or of a result folder", render_command},
     Command{"image", "a picture of what a scene's camera sees, with error bounds", image_command},
     Command{"example", "prints an installed example, or their list", example_command},

@@ -26,6 +26,7 @@
 #include "gnomon/light_design.h"
 #include "gnomon/light_parts.h"
 #include "gnomon/names.h"
+#include "gnomon/paint_fit.h"
 #include "gnomon/pair.h"
 #include "gnomon/picture.h"
 #include "gnomon/point.h"
