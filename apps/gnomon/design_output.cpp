@@ -114,6 +114,22 @@ std::string variable_word(FreeVariable variable) {
   return is_shift ? "shift" : std::string(name(variable));
 }
 
+DrawnWall drawn_wall(const std::vector<std::uint32_t>& corners, const std::optional<DesignWall>& wall) {
+  constexpr std::int32_t goal_plane = 6, domain = 7;
+  DrawnWall drawn{corners};
+  if (!wall || wall->kind == DesignWall::Kind::domain) {
+    drawn.facet_kind = domain;
+    return drawn;
+  }
+  drawn.facet_kind = goal_plane;
+  drawn.goal = static_cast<std::int32_t>(wall->goal);
+  if (wall->edge) drawn.edge = static_cast<std::int32_t>(*wall->edge);
+  if (wall->vertex) drawn.vertex = static_cast<std::int32_t>(*wall->vertex);
+  if (wall->subject && wall->edge) drawn.vertex = static_cast<std::int32_t>(*wall->subject);
+  if (wall->subject && !wall->edge) drawn.edge = static_cast<std::int32_t>(*wall->subject);
+  return drawn;
+}
+
 std::string size_name(int dimension) {
   return dimension == 3 ? "volume" : dimension == 2 ? "area" : "length";
 }
@@ -154,6 +170,29 @@ std::string goals_text(const SolvedDesign& solved) {
 }
 
 }  // namespace
+
+DrawnDesign drawn_design(const SolvedDesign& solved, std::size_t& left_out) {
+  DrawnDesign drawn;
+  drawn.status = name(solved.result.status);
+  left_out = 0;
+  for (const FeasibleCell& cell : solved.result.cells) {
+    if (std::ranges::find(cell.at_infinity, true) != cell.at_infinity.end()) {
+      ++left_out;
+      continue;
+    }
+    DrawnCell& shape = drawn.cells.emplace_back(DrawnCell{cell.corners, {}});
+    for (std::size_t f = 0; f < cell.faces.size(); ++f) shape.walls.push_back(drawn_wall(cell.faces[f], cell.walls[f]));
+  }
+  for (std::size_t g = 0; g < solved.design.goals.size(); ++g) {
+    DrawnGoal& goal = drawn.goals.emplace_back(DrawnGoal{solved.design.goals[g].name, {}});
+    for (const DesignSubject& subject : solved.design.goals[g].subjects) goal.subjects.push_back(subject.points);
+    if (!solved.result.goals.empty()) goal.status = solved.result.goals[g].satisfied ? 0 : 1;
+  }
+  if (!solved.result.answer) return drawn;
+  drawn.answer = solved.result.answer->position;
+  if (solved.design.variable != FreeVariable::direction) drawn.margin = solved.result.answer->margin;
+  return drawn;
+}
 
 std::string position_text(const Design& design, const Point3& p) {
   if (design.variable == FreeVariable::scale) return number_text(p.x);

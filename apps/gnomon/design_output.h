@@ -4,6 +4,7 @@
 #include <string>
 
 #include "gnomon/light_design.h"
+#include "gnomon/writer.h"
 
 namespace gnomon {
 
@@ -21,6 +22,9 @@ nlohmann::ordered_json design_json(const SolvedDesign& solved);
 
 /// The same for people.
 std::string design_text(const SolvedDesign& solved);
+
+/// What the files show. Cells that are unbounded are left out; `left_out` counts them.
+DrawnDesign drawn_design(const SolvedDesign& solved, std::size_t& left_out);
 
 /// "(7.5, 3, 24)"; of a scale "7.5".
 std::string position_text(const Design& design, const Point3& position);

@@ -5,10 +5,12 @@
 
 #include "apps/gnomon/command_line.h"
 #include "apps/gnomon/commands.h"
+#include "apps/gnomon/console.h"
 #include "apps/gnomon/design_output.h"
 #include "apps/gnomon/output_place.h"
 #include "apps/gnomon/scene_input.h"
 #include "apps/gnomon/shadow_json.h"
+#include "apps/gnomon/text.h"
 #include "gnomon/light_design.h"
 
 namespace gnomon {
@@ -27,6 +29,7 @@ struct PlaceOptions : CommonOptions {
 void add_options(CommandLine& app, PlaceOptions& options) {
   add_required_text(app, "SCENE", options.scene, "FILE", "Scene file");
   add_required_text(app, "--goals", options.goals, "FILE", "Goals file: what is sought, where, and what is wanted");
+  add_text(app, "--out", options.out, "DIR", "Write the feasible cells, their walls, goals and answer for ParaView");
   add_json_option(app, options);
   add_text(app, "--choose", options.choose, "WHICH",
            "Which feasible position: centre, of the largest ball in a cell (default); cube, of the largest cube along\n"
@@ -74,6 +77,7 @@ DesignEffort effort_of(const PlaceOptions& options) {
 }
 
 void check_usage(const PlaceOptions& options) {
+  if (!options.out.empty()) require_place("--out", options.out, OutputKind::folder);
   require_place("--json", options.json, OutputKind::json);
   require_unread("--json", options.json, {options.scene, options.goals});
   if (!options.expect.empty() && options.expect != "feasible") {
@@ -92,6 +96,13 @@ bool has_answer(const DesignResult& result, bool is_check) {
   return is_check ? result.status == DesignStatus::feasible : result.answer.has_value();
 }
 
+void write_files(const std::string& folder, const SolvedDesign& solved) {
+  std::size_t left_out = 0;
+  const DrawnDesign drawn = drawn_design(solved, left_out);
+  write_design(drawn, Scene(solved.scene), folder);
+  if (left_out > 0) print_warning(counted(left_out, "unbounded cell") + " left out of " + folder + "/design.vtm");
+}
+
 ExitCode place(const PlaceOptions& options, const DesignEffort& effort) {
   const std::optional<Point3> check =
       options.check.empty() ? std::nullopt : std::optional(point_of("--check", options.check));
@@ -106,6 +117,7 @@ ExitCode place(const PlaceOptions& options, const DesignEffort& effort) {
     throw UnsupportedError(options.goals + ": " + error.what());
   }
   const SolvedDesign solved{scene, design, obstacles, result, check.has_value()};
+  if (!options.out.empty()) write_files(options.out, solved);
   if (!options.json.empty()) write_json(design_json(solved), options.json);
   if (!options.quiet && options.json != "-") std::cout << design_text(solved);
   const bool is_missed = !options.expect.empty() && !has_answer(result, check.has_value());

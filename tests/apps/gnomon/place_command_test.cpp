@@ -83,6 +83,18 @@ TEST_F(PlaceCommand, ChecksAGivenPosition) {
   EXPECT_EQ(gnomon("place desk.scene.json --goals desk.goals.json --check 5,3,24 --expect feasible").code, 5);
 }
 
+TEST_F(PlaceCommand, WritesCellsWallsGoalsAndAnswerForParaView) {
+  const Outcome run = gnomon("place desk.scene.json --goals desk_ceiling.goals.json --out design");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(read("design/design.vtm"), AllOf(HasSubstr("feasible"), HasSubstr("goals"), HasSubstr("answer")));
+  EXPECT_THAT(read("design/design/feasible/surface.vtp"), AllOf(HasSubstr("goal_id"), HasSubstr("facet_kind")));
+  for (const char* file : {"feasible/cells.vtu", "goals/pillow.vtp", "goals/desk.vtp", "answer.vtp", "ball.vtp"}) {
+    EXPECT_TRUE(exists(std::string("design/design/") + file)) << file;
+  }
+  EXPECT_EQ(gnomon("place desk.scene.json --goals desk_conflict.goals.json --out design").code, 0);
+  EXPECT_EQ(gnomon("place desk.scene.json --goals desk.goals.json --out design.vtm").code, 2);
+}
+
 TEST_F(PlaceCommand, MovesABlocker) {
   const json result = placed("overhang.scene.json --goals overhang.goals.json");
   EXPECT_EQ(result["variable"], json::parse(R"({"blocker": "board", "free": "translation"})"));
