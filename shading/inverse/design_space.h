@@ -43,6 +43,15 @@ struct DesignSpace {
   }
 };
 
+/// All of a plane as a set.
+inline ConvexSet whole_plane_set(DesignSpace& space, const ExactVector& normal, const Rational& offset,
+                                 const DesignWall& name) {
+  ConvexSet set;
+  set.flat = space.add(whole_plane(normal, offset), name);
+  set.walls = {{*set.flat, true}, {space.add(whole_plane(Rational(-1) * normal, Rational(-offset)), name), true}};
+  return set;
+}
+
 /// True if a point lies in the set; on its boundary where that belongs to it.
 bool contains(const DesignSpace& space, const ConvexSet& set, CornerId point);
 bool contains(const DesignSpace& space, const Wall& wall, CornerId point);

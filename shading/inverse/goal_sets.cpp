@@ -142,6 +142,12 @@ Light as_light(const DesignSubject& subject) {
   return AreaLight{ConvexPolygon::from_points(subject.points), true};
 }
 
+ExactPlane plane_of(const AreaLight& light) {
+  const auto points = light.polygon.points();
+  const auto corners = light.polygon.corners();
+  return plane_through(exact(points[corners[0]]), exact(points[corners[1]]), exact(points[corners[2]]));
+}
+
 Whole front_plane(const DesignSubject& subject) {
   if (const auto* facet = std::get_if<FacetFront>(&*subject.front)) {
     const ExactPlane plane =

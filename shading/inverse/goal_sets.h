@@ -19,6 +19,9 @@ std::vector<std::uint32_t> parts_that_count(const DesignGoal& goal, const Design
 /// The subject as a light that shines from both sides.
 Light as_light(const DesignSubject& subject);
 
+/// The plane of an area light, through three of its corners; its normal points to the front.
+ExactPlane plane_of(const AreaLight& light);
+
 /// The half-space before a subject's front.
 Whole front_plane(const DesignSubject& subject);
 

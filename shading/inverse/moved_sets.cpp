@@ -102,8 +102,15 @@ void add_fronts(DesignSpace& space, const Design& design, std::uint32_t goal, co
     sets.within.push_back({space.add(moved, name), light.size() > 1});
   }
   const auto* area = std::get_if<AreaLight>(&design.light);
-  if (!area || area->two_sided) return;
-  const ExactPlane plane = plane_through(exact(light[0]), exact(light[1]), exact(light[2]));
+  if (!area) return;
+  const ExactPlane plane = plane_of(*area);
+  if (area->two_sided) {
+    // In its own plane it shows its edge alone.
+    if (subject.points.size() > 1) return;
+    const Rational height = plane.height(exact(subject.points[0]));
+    sets.none.push_back(whole_plane_set(space, plane.normal, Rational(-height), name));
+    return;
+  }
   for (const Point3& q : subject.points) {
     // n (q - l - t) > 0.
     sets.within.push_back(

@@ -122,14 +122,18 @@ void add_fronts_of_scales(DesignSpace& space, const Design& design, std::uint32_
     }
   }
   const auto* area = std::get_if<AreaLight>(&design.light);
-  if (!area || area->two_sided) return;
-  const auto corners = area->polygon.points();
-  const ExactVector normal = plane_through(exact(corners[0]), exact(corners[1]), exact(corners[2])).normal;
+  if (!area || (area->two_sided && subject.points.size() > 1)) return;
+  const ExactVector normal = plane_of(*area).normal;
   for (const Point3& q : subject.points) {
     // n (q - c - s arm) > 0.
-    const Rational height = dot(normal, exact(q) - light.centre);
-    sets.within.push_back({space.add(whole_plane({dot(normal, light.arms[0]), 0, 0}, Rational(-height)), name),
-                           subject.points.size() > 1});
+    const Rational height = dot(normal, exact(q) - light.centre), rise = dot(normal, light.arms[0]);
+    if (area->two_sided) {
+      // In its own plane it shows its edge alone.
+      if (rise != 0) sets.none.push_back(whole_plane_set(space, {rise, 0, 0}, Rational(-height), name));
+      if (rise == 0 && height == 0) sets.any.emplace_back();
+      continue;
+    }
+    sets.within.push_back({space.add(whole_plane({rise, 0, 0}, Rational(-height)), name), subject.points.size() > 1});
   }
 }
 

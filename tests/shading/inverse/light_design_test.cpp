@@ -133,6 +133,31 @@ TEST(LightDesignAgreement, NoPlaceOfALatticeHasALargerMargin) {
   EXPECT_GT(tried, 5);
 }
 
+TEST(LightDesignAgreement, NoFeasiblePlaceOfALatticeIsNearer) {
+  int on_a_wall = 0;
+  for (std::uint32_t seed = 1; seed <= 60; ++seed) {
+    Dice dice(seed);
+    const DesignCase c = drawn_position_case(dice, Numbers::large);
+    const Point3 near = {dice.draw(-40, 40) / 8.0, dice.draw(-40, 40) / 8.0, dice.draw(0, 80) / 8.0};
+    DesignEffort effort;
+    effort.choice = Choice::nearest;
+    effort.near = near;
+    const DesignResult result = solved_design(c.design, c.obstacles, effort);
+    if (result.status != DesignStatus::feasible) continue;
+    const auto square = [&](const Point3& p) {
+      const Vector3<double> v = step(near, p);
+      return dot(v, v);
+    };
+    const double nearest = square(result.answer->position);
+    on_a_wall += nearest > 0 && square({near.x, near.y, std::clamp(near.z, 2.0, 8.0)}) != nearest ? 1 : 0;
+    for (int k = 0; k < 300; ++k) {
+      const Point3 p = {dice.draw(-32, 32) / 8.0, dice.draw(-32, 32) / 8.0, dice.draw(16, 64) / 8.0};
+      EXPECT_FALSE(square(p) < nearest * (1 - 1e-12) && is_fulfilled(c, p)) << "seed " << seed << '\n' << told(c, p);
+    }
+  }
+  EXPECT_GT(on_a_wall, 5);
+}
+
 /// The board's height above the window, by its depth: windows dark in summer, lit in winter.
 DesignResult overhang(double depth, double most = 20) {
   Design design;
