@@ -194,7 +194,7 @@ struct DesignResult {
   std::vector<FeasibleCell> cells;
   bool bounded = true;
   int dimension = -1;
-  ExactNumber size;  ///< volume, area or length; `exact` is empty if that is irrational
+  ExactNumber size;  ///< volume, area or length; `exact` is empty where irrational, and for more than 8 solid cells
   std::optional<DesignConflict> conflict;
   std::vector<std::string> remarks;  ///< sentences for people
 };

@@ -209,20 +209,23 @@ std::vector<CellFace> faces(const CellSpace& space, const Cell& cell) {
   for (const Corner& corner : cell.corners) planes.insert(planes.end(), corner.planes.begin(), corner.planes.end());
   std::ranges::sort(planes);
   planes.erase(std::ranges::unique(planes).begin(), planes.end());
-  const int whole = rank(space, cell);
-  std::vector<CellFace> result;
+  // What a plane touches is part of a face; faces are the largest such sets but the cell itself.
+  std::vector<CellFace> touched;
   for (const CellPlane plane : planes) {
-    Cell face;
-    std::vector<std::uint32_t> places;
+    CellFace face{plane, {}};
     for (std::uint32_t i = 0; i < cell.corners.size(); ++i) {
-      if (space.side(plane, cell.corners[i].id) != 0) continue;
-      places.push_back(i);
-      face.corners.push_back(cell.corners[i]);
+      if (space.side(plane, cell.corners[i].id) == 0) face.corners.push_back(i);
     }
-    if (rank(space, face) != whole - 1) continue;
-    const auto same = [&](const CellFace& f) { return std::ranges::is_permutation(f.corners, places); };
-    if (std::ranges::any_of(result, same)) continue;
-    result.push_back({plane, in_order(cell, std::move(places))});
+    const auto is_same = [&](const CellFace& other) { return other.corners == face.corners; };
+    if (face.corners.size() == cell.corners.size() || std::ranges::any_of(touched, is_same)) continue;
+    touched.push_back(std::move(face));
+  }
+  std::vector<CellFace> result;
+  for (const CellFace& face : touched) {
+    const auto is_more = [&](const CellFace& other) {
+      return other.corners.size() > face.corners.size() && std::ranges::includes(other.corners, face.corners);
+    };
+    if (std::ranges::none_of(touched, is_more)) result.push_back({face.plane, in_order(cell, face.corners)});
   }
   return result;
 }

@@ -1,6 +1,7 @@
 #include "shading/inverse/choice.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/numbers/rounding.h"
 #include "shading/inverse/lengths.h"
@@ -42,7 +43,7 @@ Rational measure(const Extent& extent, Choice choice, const Whole& plane) {
 
 /// The largest r with n x + |n| r <= -d for all planes, by the dual program: the least -d · y with Σ n y = 0,
 /// Σ |n| y = 1. The multipliers are x and r.
-ChosenPoint largest_ball(const CellWalls& walls, const Extent& extent, Choice choice) {
+StandardProgram ball_program(const CellWalls& walls, const Extent& extent, Choice choice) {
   StandardProgram program;
   program.right = {0, 0, 0, 1};
   const auto add = [&](const Whole& plane, const Rational& length, int sign) {
@@ -55,7 +56,11 @@ ChosenPoint largest_ball(const CellWalls& walls, const Extent& extent, Choice ch
     add(plane, 0, 1);
     add(plane, 0, -1);
   }
-  const ProgramSolution solution = solved_program(program);
+  return program;
+}
+
+ChosenPoint largest_ball(const CellWalls& walls, const Extent& extent, Choice choice) {
+  const ProgramSolution solution = solved_program(ball_program(walls, extent, choice));
   if (solution.kind != ProgramSolution::Kind::optimal) throw DesignError("the feasible region holds balls of any size");
   const std::vector<Rational>& x = solution.multipliers;
   return {{x[0], x[1], x[2]}, x[3]};
@@ -82,6 +87,41 @@ ChosenPoint centre_of(DesignSpace& space, Cell cell, Choice choice) {
     if (dimension(space.cells, centres) >= extent.dimension()) return {ball.position, *radius};
     cell = std::move(centres);
   }
+}
+
+/// The cells whose balls may be largest, as doubles have it: exact work is for these.
+std::vector<std::size_t> likely_cells(const DesignSpace& space, std::span<const Cell> cells, Choice choice) {
+  constexpr double nearly = 1 - 1e-5;
+  std::vector<double> radius;
+  for (const Cell& cell : cells) {
+    const Extent extent(space.cells, cell);
+    const double r =
+        extent.dimension() == 0 ? 0 : rough_multipliers(ball_program(walls_of(space, cell), extent, choice))[3];
+    radius.push_back(std::isfinite(r) ? r : HUGE_VAL);
+  }
+  const double most = *std::ranges::max_element(radius);
+  std::vector<std::size_t> likely;
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    if (radius[k] >= nearly * most || radius[k] < 0) likely.push_back(k);
+  }
+  return likely;
+}
+
+/// Cells by a distance that they are not nearer than, as doubles have it, the nearest first.
+std::vector<std::pair<double, std::size_t>> by_distance(const DesignSpace& space, std::span<const Cell> cells,
+                                                        const Point3& p) {
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    double least = 0;
+    for (const Whole& plane : walls_of(space, cells[k]).bounding) {
+      const ExactVector normal = normal_of(plane);
+      const Rational height = dot(normal, exact(p)) + Rational(plane[3]);
+      if (height > 0) least = std::fmax(least, nearest_root(Rational(height * height / dot(normal, normal))));
+    }
+    order.emplace_back(least * (1 - 1e-12), k);
+  }
+  std::ranges::sort(order);
+  return order;
 }
 
 Rational squared_distance(const ExactVector& a, const ExactVector& b) {
@@ -177,22 +217,24 @@ bool is_before(const ExactVector& a, const ExactVector& b) {
 ChosenPoint chosen_point(DesignSpace& space, std::span<const Cell> cells, Choice choice,
                          const std::optional<Point3>& near) {
   std::optional<ChosenPoint> best;
-  Rational best_distance = 0;
-  for (const Cell& cell : cells) {
-    if (choice != Choice::nearest) {
-      ChosenPoint point = centre_of(space, cell, choice);
+  if (choice != Choice::nearest) {
+    for (const std::size_t k : likely_cells(space, cells, choice)) {
+      ChosenPoint point = centre_of(space, cells[k], choice);
       const bool is_better = !best || point.radius > best->radius ||
                              (point.radius == best->radius && is_before(point.position, best->position));
       if (is_better) best = std::move(point);
-      continue;
     }
-    ChosenPoint point = nearest_in(space, cell, exact(*near));
-    const Rational distance = squared_distance(point.position, exact(*near));
-    const bool is_better =
-        !best || distance < best_distance || (distance == best_distance && is_before(point.position, best->position));
+    return *best;
+  }
+  Rational least = 0;
+  for (const auto& [distance, k] : by_distance(space, cells, *near)) {
+    if (best && Rational(distance) * Rational(distance) > least) break;
+    ChosenPoint point = nearest_in(space, cells[k], exact(*near));
+    const Rational square = squared_distance(point.position, exact(*near));
+    const bool is_better = !best || square < least || (square == least && is_before(point.position, best->position));
     if (!is_better) continue;
     best = std::move(point);
-    best_distance = distance;
+    least = square;
   }
   return *best;
 }

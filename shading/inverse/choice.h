@@ -20,8 +20,8 @@ struct ChosenPoint {
 /// many
 ///             balls are largest, the centre of their centres, and so on. cube: the same for cubes along the axes.
 ///             nearest: the point of least distance.
-/// Exactness:  rational; lengths of normals are rounded up, so a ball fits for certain.
-/// Requires:   at least one cell, bounded unless the choice is `nearest`.
+/// Exactness:  rational, in the cells that doubles do not leave out by more than 1e-5; lengths of normals are rounded
+/// up, so a ball fits for certain. Requires:   at least one cell, bounded unless the choice is `nearest`.
 ChosenPoint chosen_point(DesignSpace& space, std::span<const Cell> cells, Choice choice,
                          const std::optional<Point3>& near);
 

@@ -91,6 +91,22 @@ Rational Extent::cube_support(const ExactVector& normal) const {
   return most;
 }
 
+double near_volume(const CellSpace& space, const Cell& cell) {
+  const Whole& apex = space.corner(cell.corners[0].id);
+  double sum = 0;
+  for (const CellFace& face : faces(space, cell)) {
+    const auto at = [&](std::size_t k) -> const Whole& { return space.corner(cell.corners[face.corners[k]].id); };
+    for (std::size_t k = 2; k < face.corners.size(); ++k) {
+      const Whole plane = unreduced_complement(at(0), at(k - 1), at(k));
+      const Integer weights = apex[3] * at(0)[3] * at(k - 1)[3] * at(k)[3];
+      // All of one sign: each is rounded once, and so is the sum at each step but for cancellation that there is none
+      // of.
+      sum += nearest_double(Rational(abs(value(plane, apex)), Integer(6 * weights)));
+    }
+  }
+  return sum;
+}
+
 Rational squared_size(const CellSpace& space, const Cell& cell) {
   const int n = dimension(space, cell);
   if (n == 0) return 0;

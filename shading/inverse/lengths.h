@@ -26,6 +26,10 @@ class Extent {
   ExactVector across_;  ///< of a flat cell: its normal; of a segment: along it
 };
 
+/// The volume of a bounded cell of dimension 3, right to 2^-51 of itself: exact sums of many corners have denominators
+/// that nobody reads.
+double near_volume(const CellSpace& space, const Cell& cell);
+
 /// The squared length, area or volume of a bounded cell of dimension 1, 2 or 3.
 Rational squared_size(const CellSpace& space, const Cell& cell);
 

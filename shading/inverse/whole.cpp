@@ -158,10 +158,14 @@ ExactVector coordinates(const Whole& point) {
 }
 
 Whole complement(const Whole& a, const Whole& b, const Whole& c) {
+  return reduced(unreduced_complement(a, b, c));
+}
+
+Whole unreduced_complement(const Whole& a, const Whole& b, const Whole& c) {
   const auto minor = [&](std::size_t i, std::size_t j, std::size_t k) -> Integer {
     return a[i] * (b[j] * c[k] - b[k] * c[j]) - a[j] * (b[i] * c[k] - b[k] * c[i]) + a[k] * (b[i] * c[j] - b[j] * c[i]);
   };
-  return reduced({minor(1, 2, 3), Integer(-minor(0, 2, 3)), minor(0, 1, 3), Integer(-minor(0, 1, 2))});
+  return {minor(1, 2, 3), Integer(-minor(0, 2, 3)), minor(0, 1, 3), Integer(-minor(0, 1, 2))};
 }
 
 std::optional<std::vector<Whole>> hull_half_spaces(std::span<const Whole> generators) {

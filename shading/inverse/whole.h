@@ -40,6 +40,9 @@ ExactVector coordinates(const Whole& point);
 /// through them.
 Whole complement(const Whole& a, const Whole& b, const Whole& c);
 
+/// The same with its length as determinants have it.
+Whole unreduced_complement(const Whole& a, const Whole& b, const Whole& c);
+
 /// The half-spaces, up to positive factors, whose intersection is the convex hull of the points and directions, closed.
 ///
 /// Returns: each half-space with a facet once; nothing if all lie in one plane.

@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "shading/inverse/goal_sets.h"
+#include "shading/inverse/lengths.h"
 #include "tests/shading/inverse/design_cases.h"
 
 namespace gnomon::inverse {
@@ -309,6 +310,21 @@ TEST(FeasibleRegionProperty, CellsHaveNoCommonInterior) {
       }
     }
   }
+}
+
+TEST(FeasibleRegionAgreement, VolumesInDoublesAreThoseInRationalNumbers) {
+  int compared = 0;
+  for (std::uint32_t seed = first_seed; seed < first_seed + 40; ++seed) {
+    Dice dice(seed);
+    CaseRegion region(drawn_position_case(dice, Numbers::large));
+    if (region.found.is_flat) continue;
+    for (const Cell& cell : region.found.cells) {
+      const double near = near_volume(region.space.cells, cell);
+      EXPECT_NEAR(near * near, static_cast<double>(squared_size(region.space.cells, cell)), 1e-14 * near * near);
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 20);
 }
 
 TEST(FeasibleRegionProperty, OneMoreGoalNeverEnlargesIt) {
