@@ -12,6 +12,7 @@
 #include "shading/inverse/goal_sets.h"
 #include "shading/inverse/lengths.h"
 #include "shading/inverse/outcome.h"
+#include "shading/inverse/told_cells.h"
 
 namespace gnomon {
 namespace inverse {
@@ -58,49 +59,6 @@ ExactNumber total_size(const DesignSpace& space, std::span<const Cell> cells) {
   ExactNumber size = exact_number(sum);
   if (!is_exact) size.exact.clear();
   return size;
-}
-
-/// True for corners at the end of everything: directions in truth.
-bool is_far(const DesignSpace& space, const Corner& corner) {
-  return std::ranges::any_of(corner.planes,
-                             [&](CellPlane p) { return space.names[p].kind == DesignWall::Kind::domain; });
-}
-
-FeasibleCell told(const DesignSpace& space, const Cell& cell, bool may_be_far) {
-  FeasibleCell result;
-  for (const Corner& corner : cell.corners) {
-    Whole whole = space.cells.corner(corner.id);
-    const bool far = whole[3] == 0 || (may_be_far && is_far(space, corner));
-    if (far) {
-      Integer most = 1;
-      for (std::size_t k = 0; k < 3; ++k) most = std::max(most, Integer(abs(whole[k])));
-      whole[3] = most;
-    }
-    result.corners.push_back(rounded(coordinates(whole)));
-    result.at_infinity.push_back(far);
-  }
-  const int n = dimension(space.cells, cell);
-  if (n < 2) return result;
-  for (const CellFace& face : faces(space.cells, cell)) {
-    if (n == 2) continue;
-    result.faces.push_back(face.corners);
-    result.walls.emplace_back(space.names[face.plane]);
-  }
-  if (n > 2) return result;
-  std::vector<std::vector<std::uint32_t>> next(cell.corners.size());
-  for (const auto& [a, b] : edges(cell)) {
-    next[a].push_back(b);
-    next[b].push_back(a);
-  }
-  std::vector<std::uint32_t>& loop = result.faces.emplace_back(std::vector<std::uint32_t>{0});
-  for (std::uint32_t before = ~0U; loop.size() < cell.corners.size();) {
-    const std::uint32_t here = loop.back();
-    if (next[here].size() < 2) break;
-    loop.push_back(next[here][0] != before ? next[here][0] : next[here][1]);
-    before = here;
-  }
-  result.walls.emplace_back(std::nullopt);
-  return result;
 }
 
 /// The cell of the domain that a position is measured in: the first that holds it.
@@ -219,6 +177,22 @@ bool add_answer(PreparedDesign& prepared, const Design& design, const DesignObst
   return true;
 }
 
+/// The cells, and what is told of all together.
+void add_region(PreparedDesign& prepared, const Design& design, const FeasibleCells& found, DesignResult& result) {
+  const bool is_everywhere = design.domain.shape == DomainShape::everywhere;
+  for (const Cell& cell : found.cells) {
+    result.cells.push_back(told(prepared.space, cell, is_everywhere));
+    result.dimension = std::max(result.dimension, dimension(prepared.space.cells, cell));
+    const auto far = [&](const Corner& corner) { return is_far(prepared.space, corner); };
+    if (is_everywhere && std::ranges::any_of(cell.corners, far)) result.bounded = false;
+  }
+  if (design.variable != FreeVariable::direction && result.bounded) {
+    result.size = total_size(prepared.space, found.cells);
+  } else {
+    result.size.exact.clear();
+  }
+}
+
 void name_solids(const Design& design, const std::vector<GoalSets>& goals, const DesignObstacles& obstacles,
                  DesignResult& result) {
   for (std::size_t g = 0; g < goals.size(); ++g) {
@@ -251,20 +225,11 @@ DesignObstacles design_obstacles(const SpaceScene& scene) {
 DesignResult solved_design(const Design& design, const DesignObstacles& obstacles, const DesignEffort& effort) {
   using namespace inverse;
   PreparedDesign prepared(design, obstacles);
-  DesignResult result;
-  bool is_only_part = false;
-  for (const GoalSets& goal : prepared.goals) {
-    is_only_part = is_only_part || is_only_sufficient(prepared.space, design.domain, goal);
-  }
+  const bool is_only_part = std::ranges::any_of(
+      prepared.goals, [&](const GoalSets& goal) { return is_only_sufficient(prepared.space, design.domain, goal); });
   const FeasibleCells found =
       feasible_cells(prepared.space, design.domain, prepared.goals, {effort.most_cells, false, design.margin});
-  const bool is_everywhere = design.domain.shape == DomainShape::everywhere;
-  for (const Cell& cell : found.cells) {
-    result.cells.push_back(told(prepared.space, cell, is_everywhere));
-    result.dimension = std::max(result.dimension, dimension(prepared.space.cells, cell));
-    const auto far = [&](const Corner& corner) { return is_far(prepared.space, corner); };
-    if (is_everywhere && std::ranges::any_of(cell.corners, far)) result.bounded = false;
-  }
+  DesignResult result;
   if (found.cells.empty()) {
     result.status = is_only_part ? DesignStatus::sufficient_only : DesignStatus::infeasible;
     name_solids(design, prepared.goals, obstacles, result);
@@ -274,11 +239,7 @@ DesignResult solved_design(const Design& design, const DesignObstacles& obstacle
   result.status = is_only_part    ? DesignStatus::sufficient_only
                   : found.is_flat ? DesignStatus::flat
                                   : DesignStatus::feasible;
-  if (design.variable != FreeVariable::direction && result.bounded) {
-    result.size = total_size(prepared.space, found.cells);
-  } else {
-    result.size.exact.clear();
-  }
+  add_region(prepared, design, found, result);
   if (add_answer(prepared, design, obstacles, effort, found, result)) return result;
   result.status = DesignStatus::infeasible;
   const auto is_feasible = [&](const auto& goals) { return leaves_a_position(prepared, design, goals); };

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "geometry/spatial/homogeneous.h"
+
 namespace gnomon::inverse {
 namespace {
 
@@ -138,11 +140,19 @@ Whole whole_plane(const ExactVector& normal, const Rational& offset) {
 }
 
 Whole whole_plane(const HalfSpace& half_space) {
-  const ExactVector a = exact(half_space.plane[0]);
-  const ExactVector along = exact(half_space.plane[1]) - a;
-  const ExactVector third = exact(half_space.plane[2]);
-  const ExactVector normal = cross(along, half_space.third_is_direction ? third : third - a);
-  return whole_plane(normal, Rational(-dot(normal, a)));
+  // Sums and products of doubles, whose denominators are powers of two.
+  const auto numbers = point_coefficients<ExactReal>(half_space.plane, half_space.third_is_direction);
+  std::array<Rational, 4> exact_numbers;
+  Integer largest = 1;
+  for (std::size_t k = 0; k < 4; ++k) {
+    exact_numbers[k] = rational(numbers[k]);
+    largest = std::max(largest, Integer(denominator(exact_numbers[k])));
+  }
+  Whole whole;
+  for (std::size_t k = 0; k < 4; ++k) {
+    whole[k] = numerator(exact_numbers[k]) * Integer(largest / denominator(exact_numbers[k]));
+  }
+  return reduced(std::move(whole));
 }
 
 Integer value(const Whole& plane, const Whole& point) {
