@@ -26,7 +26,7 @@ class Extent {
   ExactVector across_;  ///< of a flat cell: its normal; of a segment: along it
 };
 
-/// The volume of a bounded cell of dimension 3, right to 2^-51 of itself: exact sums of many corners have denominators
+/// The volume of a bounded cell of dimension 3, right to 2^-50 of itself: exact sums of many corners have denominators
 /// that nobody reads.
 double near_volume(const CellSpace& space, const Cell& cell);
 

@@ -40,7 +40,7 @@ std::optional<Rational> exact_root(const Rational& square) {
   return std::nullopt;
 }
 
-/// The sum of the sizes of cells of one dimension; of many solid cells in doubles, right to 2^-50 of itself.
+/// The sum of the sizes of cells of one dimension; of many solid cells in doubles, right to 2^-49 of itself.
 ExactNumber total_size(const DesignSpace& space, std::span<const Cell> cells) {
   constexpr std::size_t few = 8;
   if (cells.size() > few && dimension(space.cells, cells[0]) == 3) {
