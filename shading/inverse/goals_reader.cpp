@@ -180,7 +180,7 @@ class GoalsReader {
     }
     const JsonNode node = given.as_element("goal " + in_quotes(goal.name));
     node.allow_keys({"name", "at", "on", "normal", "want", "by", "edge", "vertex", "eye", "light", "at_least",
-                     "contour", "threshold"},
+                     "contour", "whole", "threshold"},
                     "a goal");
     goal.want = want(node.required("want", "what is wanted"));
     read_subjects(node, goal);
@@ -188,6 +188,7 @@ class GoalsReader {
     read_element(node, goal);
     read_eye(node, goal);
     read_goal_light(node, goal);
+    read_whole(node);
     check_kind(node, goal);
     read_brightness(node, goal);
     read_peak(node, goal);
@@ -319,6 +320,13 @@ class GoalsReader {
       want.refuse_as_unsupported(want.description() + " where a light or blocker is moved",
                                  "a point light's position or a direction");
     }
+  }
+
+  /// Lights with a size stand before a receiver whole.
+  static void read_whole(const JsonNode& node) {
+    const auto whole = node.optional("whole");
+    if (whole && !whole->boolean("true"))
+      whole->refuse_as_unsupported("a light that stands before a receiver in part", "true");
   }
 
   void check_kind(const JsonNode& node, const DesignGoal& goal) {

@@ -157,6 +157,7 @@ TEST_F(PlaceCommand, RefusesGoalsByPlaceNameFoundAndExpected) {
          "/goals/0/threshold", "between 0 and 1");
   expect("\"segment\", \"vertices\": [[0, 3, 24], [24, 3, 24]]", "\"interval\", \"min\": 1, \"max\": 2", "/domain",
          "an interval");
+  expect("\"want\": \"lit\"", "\"want\": \"lit\", \"whole\": false", "/goals/1/whole", "in part", 4);
   expect("\"gnomon_goals\": 1", "\"gnomon_goals\": 2", "/gnomon_goals", "the number 2");
   expect("\"name\": \"desk\"", "\"name\": \"pillow\"", "/goals/1/name", "again");
   expect("\"name\": \"desk\"", "\"name\": \"desk\", \"colour\": 1", "/goals/1/colour", "unknown key");
