@@ -35,7 +35,7 @@ int main(int, char** argv) {
 add_executable(header_programs ${program_sources} ${program_folder}/main.cpp)
 gnomon_target(header_programs)
 set_target_properties(header_programs PROPERTIES UNITY_BUILD OFF)
-target_link_libraries(header_programs PRIVATE gnomon::scene gnomon::shading gnomon::viz)
+target_link_libraries(header_programs PRIVATE gnomon::inverse gnomon::scene gnomon::shading gnomon::viz)
 foreach(name IN LISTS program_names)
   add_test(NAME header_program_${name} COMMAND header_programs ${name} WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
   set_tests_properties(header_program_${name} PROPERTIES LABELS examples)

@@ -13,6 +13,7 @@ enum class ExitCode {
   usage = 2,        ///< the command line makes no sense
   bad_scene = 3,    ///< a scene, result or line of points is missing or wrong
   unsupported = 4,  ///< nothing of what was asked for is supported
+  infeasible = 5,   ///< `place --expect feasible`, and there is no answer
 };
 
 /// The command line makes no sense; what() says why.
@@ -57,6 +58,15 @@ ExitCode receivers_command(Arguments arguments);
 /// `gnomon view-factors`: the share of what one surface sends out that reaches another, behind all blockers.
 ExitCode illuminate_command(Arguments arguments);
 ExitCode view_factors_command(Arguments arguments);
+
+/// `gnomon place`: where a light may stand so that wanted shadows come about.
+ExitCode place_command(Arguments arguments);
+
+/// `gnomon sunlight`: when the sun shines on points through a day.
+ExitCode sunlight_command(Arguments arguments);
+
+/// `gnomon fit`: intensities of lights, or a material, from wanted brightness.
+ExitCode fit_command(Arguments arguments);
 
 /// `gnomon render`: a picture of a scene or of a folder written by `gnomon shadow`.
 ExitCode render_command(Arguments arguments);

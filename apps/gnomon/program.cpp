@@ -56,7 +56,7 @@ void print_help(std::ostream& stream, const ProgramText& program) {
                        " COMMAND --help' tells more\n"
                        "  --version     print the version\n\n"
                        "Exit codes: 0 done, 1 failed while running, 2 wrong usage, 3 bad or missing scene, result or "
-                       "input line, 4 not supported.\n\n"
+                       "input line, 4 not supported, 5 not feasible though expected.\n\n"
                        "Examples:\n" +
                        std::string(program.examples));
 }

@@ -151,6 +151,46 @@ struct SurfaceRow {
 /// Throws: std::runtime_error naming the file that could not be written, and why.
 void write_view_surfaces(std::span<const SurfaceRow> rows, const Scene& scene, const std::filesystem::path& directory);
 
+/// A wall of a feasible cell: where it comes from, as the arrays facet_kind (6 a goal's plane, 7 the domain's),
+/// goal_id, edge_index and vertex_index tell; -1 for what it has not.
+struct DrawnWall {
+  std::vector<std::uint32_t> corners;  ///< of the cell, around the wall
+  std::int32_t facet_kind = 7;
+  std::int32_t goal = -1;
+  std::int32_t edge = -1;
+  std::int32_t vertex = -1;
+};
+
+/// A convex cell of feasible positions: a solid, a polygon (one wall), a segment or a point (no wall).
+struct DrawnCell {
+  std::vector<Point3> corners;
+  std::vector<DrawnWall> walls;
+};
+
+/// A goal's subject, a point or polygons, and 0 if the goal is fulfilled at the answer, 1 if not, 2 where there is
+/// none.
+struct DrawnGoal {
+  std::string name;
+  std::vector<std::vector<Point3>> subjects;
+  std::int32_t status = 2;
+};
+
+/// What a design's files show.
+struct DrawnDesign {
+  std::string status;
+  std::vector<DrawnCell> cells;
+  std::vector<DrawnGoal> goals;
+  std::optional<Point3> answer = {};
+  double margin = 0;
+};
+
+/// Writes a design into a folder: `design.vtm`, and beneath `design/` feasible/cells.vtu, feasible/surface.vtp,
+/// goals/NAME.vtp, answer.vtp, and ball.vtp, a sphere of the margin's radius about the answer.
+///
+/// Throws: std::runtime_error naming the file that could not be written, and why.
+std::vector<std::filesystem::path> write_design(const DrawnDesign& design, const Scene& scene,
+                                                const std::filesystem::path& directory);
+
 /// Writes a grid with the point arrays region, visible_fraction and error_bound of every light as VTK image data
 /// (.vti); where they are known with irradiance and irradiance_error_bound of every light, and with radiance and
 /// radiance_error_bound; written beside the file and renamed.

@@ -317,11 +317,33 @@ def show_hidden(result, light):
             simple.Hide(hidden, result.view)
 
 
+def bounds(result, block):
+    part = result.part("bounds", [block])
+    found = part.GetDataInformation().GetBounds()
+    simple.Delete(part)
+    return found
+
+
+def meshed_blockers(result):
+    """Blockers with a meshed facet: the two lie in one place and would flicker."""
+    blockers, sides = result.select("blocker"), result.select("illumination")
+    if not sides or len(blockers) * len(sides) > 10000:
+        return []
+    inner = [bounds(result, side) for side in sides]
+    found = []
+    for blocker in blockers:
+        b = bounds(result, blocker)
+        if any(all(i[k] >= b[k] and i[k + 1] <= b[k + 1] for k in (0, 2, 4)) for i in inner):
+            found.append(blocker)
+    return found
+
+
 def show_blockers(result, divided):
     """What is a divided receiver, too, is there to be switched on: the two lie in one place and would flicker."""
     facets = {b["path"][-1]: b["kind"] == "receiver" for b in result.select("receiver") + result.select("receiver_mesh")}
     covered = [b for b in result.select("blocker") if b["path"][-1] in divided
                and facets.get(b["path"][-1]) == (b["field_data"]["shape"] == ["polygon"])]
+    covered += [b for b in meshed_blockers(result) if b not in covered]
     result.show(result.part("blockers", [b for b in result.select("blocker") if b not in covered]), "blocker", edges=True)
     hidden = result.part("blockers that are divided receivers", covered)
     if hidden is not None:

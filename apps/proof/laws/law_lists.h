@@ -10,6 +10,15 @@ namespace gnomon::laws {
 /// The laws of one light and one blocker, of any kind and in any position, and of concave blockers.
 std::vector<Law> any_position_laws();
 
+/// D1 to D10: where lights and blockers may stand for wanted shadows.
+std::vector<Law> design_laws();
+
+/// What is said of that but is false: X4.
+std::vector<Law> design_claims();
+
+/// Mistakes in that; all_mutants() has them too.
+std::vector<Mutant> design_mutants();
+
 /// E6: how many discontinuities a pair has.
 std::vector<Law> event_count_laws();
 

@@ -7,9 +7,10 @@ namespace gnomon::laws {
 
 std::vector<Law> all_laws() {
   std::vector<Law> all;
-  for (const auto& family : {planar_laws(), flatland_laws(), flatland_claims(), spatial_laws(), any_position_laws(),
-                             sight_laws(), event_laws(), event_count_laws(), receiver_laws(), triple_edge_laws(),
-                             search_laws(), tree_laws(), spatial_claims(), reflection_laws(), reflection_claims()}) {
+  for (const auto& family :
+       {planar_laws(), flatland_laws(), flatland_claims(), spatial_laws(), any_position_laws(), sight_laws(),
+        event_laws(), event_count_laws(), receiver_laws(), triple_edge_laws(), search_laws(), tree_laws(),
+        spatial_claims(), reflection_laws(), reflection_claims(), design_laws(), design_claims()}) {
     all.insert(all.end(), family.begin(), family.end());
   }
   const std::vector<std::string> order = all_keys();
@@ -28,6 +29,7 @@ std::vector<std::string> all_keys() {
   for (const auto& [letter, last] : families) {
     for (int number = 1; number <= last; ++number) keys.push_back(letter + std::to_string(number));
   }
+  for (const char* key : {"D1", "D4", "D6", "D7", "D8", "D9", "D10", "X4"}) keys.emplace_back(key);
   return keys;
 }
 

@@ -325,8 +325,9 @@ std::vector<Mutant> flatland_mutants() {
 
 std::vector<Mutant> all_mutants() {
   std::vector<Mutant> all;
-  for (auto& family : {planar_pair_mutants(), flatland_mutants(), plane_mutants(), volume_mutants(), hull_mutants(),
-                       sight_mutants(), event_mutants(), reflection_mutants(), search_mutants(), tree_mutants()}) {
+  for (auto& family :
+       {planar_pair_mutants(), flatland_mutants(), plane_mutants(), volume_mutants(), hull_mutants(), sight_mutants(),
+        event_mutants(), reflection_mutants(), search_mutants(), tree_mutants(), design_mutants()}) {
     all.insert(all.end(), family.begin(), family.end());
   }
   return all;
@@ -370,6 +371,12 @@ Subject with_part_watched(Part part, std::function<void()> asked) {
       break;
     case Part::tree_regions:
       subject.tree_regions = watched(subject.tree_regions);
+      break;
+    case Part::design_place:
+      subject.design_place = watched(subject.design_place);
+      break;
+    case Part::solved_design:
+      subject.solved_design = watched(subject.solved_design);
       break;
     case Part::planar_extremal_lines:
       subject.planar_extremal_lines = watched(subject.planar_extremal_lines);

@@ -21,6 +21,8 @@ enum class Part {
   found_occluders,
   searched_visibility,
   tree_regions,
+  design_place,
+  solved_design,
   planar_extremal_lines,
   planar_regions,
   planar_region_of,

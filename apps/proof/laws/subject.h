@@ -10,6 +10,7 @@
 #include "gnomon/flatland_pair.h"
 #include "gnomon/flatland_partition.h"
 #include "gnomon/flatland_regions.h"
+#include "gnomon/light_design.h"
 #include "gnomon/receiver_mesh.h"
 #include "gnomon/reflection.h"
 #include "gnomon/shadow_volume.h"
@@ -45,6 +46,10 @@ std::vector<Visibility> searched_visibility(const LinearLight& light, const std:
 /// What a shadow tree tells of points; nothing where it leaves them open. No tree for lights with a size.
 std::vector<std::optional<Region>> tree_regions(const Light& light, const std::vector<ConvexBlocker>& blockers,
                                                 const std::vector<Point3>& points);
+
+/// Whether a value of a design's variable is feasible, by cells about it; nothing on boundaries and where they are
+/// flat.
+std::optional<bool> design_place(const Design& design, const DesignObstacles& obstacles, const Point3& position);
 
 /// The functions the laws are about, as values: a test may pass a broken one to see that a law catches it.
 struct Subject {
@@ -84,6 +89,10 @@ struct Subject {
   std::function<std::vector<std::optional<Region>>(const Light&, const std::vector<ConvexBlocker>&,
                                                    const std::vector<Point3>&)>
       tree_regions = laws::tree_regions;
+  std::function<std::optional<bool>(const Design&, const DesignObstacles&, const Point3&)> design_place =
+      laws::design_place;
+  std::function<DesignResult(const Design&, const DesignObstacles&, const DesignEffort&)> solved_design =
+      gnomon::solved_design;
 };
 
 }  // namespace gnomon::laws

@@ -50,7 +50,7 @@ TEST_F(Program, NamesAnUnknownCommandAndTheNearestKnownOne) {
   EXPECT_THAT(run.out, IsEmpty());
   EXPECT_THAT(run.err, AllOf(HasSubstr("'shaddow'"), HasSubstr("nearest is 'shadow'"),
                              HasSubstr("shadow, check, regions, grid, irradiance, radiance, discontinuities, "
-                                       "receivers, illuminate, view-factors, render")));
+                                       "receivers, illuminate, view-factors, place, sunlight, fit, render")));
 }
 
 TEST_F(Program, RefusesAnOptionInPlaceOfACommand) {
