@@ -33,7 +33,8 @@ void add_options(CommandLine& app, FitOptions& options) {
       "a material (ambient, diffuse, specular from 0 to 1, and its exponent) to radiance seen by eyes: least squares,\n"
       "or bounds that all have to hold, the least ambient part first, then the largest diffuse one. What is visible "
       "is\n"
-      "exact; the best values are found in rational numbers. Values that the samples leave open are told.\n\n"
+      "exact; the best values are found in rational numbers. Values that the samples leave open are told.\n"
+      "Values and residuals are estimates: the columns that they rest on are rounded.\n\n"
       "Examples:\n"
       "  gnomon fit examples/two_lamps.scene.json --paint examples/lamps.paint.json\n"
       "  gnomon fit examples/two_lamps.scene.json --paint examples/floor.paint.json\n");
@@ -82,6 +83,7 @@ Json fit_json(const Paint& paint, const PaintFit& fit, const SpaceScene& scene) 
                {"scene", scene.source},
                {"fit", is_material ? "material" : "intensities"},
                {"feasible", is_feasible(fit)}};
+  json["values_are"] = "estimate";
   json["values"] = nullptr;
   json["residuals"] = nullptr;
   if (is_feasible(fit)) {

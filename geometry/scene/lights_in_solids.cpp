@@ -5,7 +5,9 @@
 
 #include "geometry/bodies/body.h"
 #include "geometry/bodies/closed_surface.h"
+#include "geometry/bodies/polygon_checks.h"
 #include "geometry/numbers/orientation.h"
+#include "geometry/numbers/vector3.h"
 #include "geometry/scene/json_text.h"
 #include "geometry/scene/scene_points.h"
 
@@ -74,6 +76,36 @@ bool shines_into(std::span<const SceneLight> parts, const SceneBlocker& blocker)
   });
 }
 
+/// By how far a lamp on a flat blocker is off its plane, if that is no more than what was rounded; 0 if it is not.
+double rounded_off(const ConvexPolygon& lamp, const ConvexPolygon& blocker) {
+  const auto points = blocker.points();
+  const auto corner = [&](std::size_t k) { return points[blocker.corners()[k]]; };
+  const Vector3<double> normal = cross(step(corner(0), corner(1)), step(corner(0), corner(2)));
+  Point3 middle{0, 0, 0};
+  const auto n = static_cast<double>(lamp.points().size());
+  for (const Point3& p : lamp.points()) middle = {middle.x + p.x / n, middle.y + p.y / n, middle.z + p.z / n};
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Vector3<double> along = step(points[k], points[(k + 1) % points.size()]);
+    if (dot(cross(along, step(points[k], middle)), normal) < 0) return 0;
+  }
+  std::vector<Point3> all(points.begin(), points.end());
+  all.insert(all.end(), lamp.points().begin(), lamp.points().end());
+  const PolygonPlane plane = polygon_plane(all).value();
+  return plane.flatness == Flatness::rounded ? plane.deviation : 0;
+}
+
+void doubt_rounded_lamp(const SceneLight& part, const SceneBlocker& blocker, const std::string& unit,
+                        std::vector<std::string>& doubts) {
+  const auto* lamp = std::get_if<AreaLight>(&part.shape);
+  const auto* wall = std::get_if<ConvexPolygon>(&blocker.shape);
+  const double off = lamp && wall ? rounded_off(lamp->polygon, *wall) : 0;
+  if (off == 0) return;
+  doubts.push_back(element_title("lights", part.element) + ": it lies on " + element_title("blockers", blocker.name) +
+                   ", but its vertices were rounded off that plane, by up to " + few_digits(off) + " " + unit +
+                   ": what came behind the blocker is hidden, and before it all is seen; move it a little to the side "
+                   "that it is to light");
+}
+
 void doubt_light(std::span<const SceneLight> parts, const SceneBlocker& blocker, std::vector<std::string>& doubts) {
   std::vector<Point3> points;
   for (const SceneLight& part : parts) {
@@ -107,7 +139,10 @@ std::vector<std::span<const SceneLight>> light_elements(std::span<const SceneLig
 void doubt_lights_in_solids(const SpaceScene& scene, std::vector<std::string>& doubts) {
   for (const auto parts : light_elements(scene.lights)) {
     if (std::holds_alternative<DirectionalLight>(parts[0].shape)) continue;
-    for (const SceneBlocker& blocker : scene.blockers) doubt_light(parts, blocker, doubts);
+    for (const SceneBlocker& blocker : scene.blockers) {
+      doubt_light(parts, blocker, doubts);
+      for (const SceneLight& part : parts) doubt_rounded_lamp(part, blocker, scene.length_unit, doubts);
+    }
   }
 }
 

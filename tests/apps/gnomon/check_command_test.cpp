@@ -1,6 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
 #include "tests/apps/gnomon/program_fixture.h"
 
 namespace gnomon {
@@ -65,6 +69,35 @@ TEST_F(CheckCommand, DoubtsLightsOnSolidsThatShineIntoThem) {
   EXPECT_THAT(
       read_json("on.json").at("doubts"),
       testing::ElementsAre(testing::StartsWith("light \"into\": it lies on blocker \"block\" and shines into")));
+}
+
+TEST_F(CheckCommand, DoubtsLampsThatWereRoundedOffTheWallTheyLieOn) {
+  // A wall that is turned, and a panel in it; beside it another, and one in a level ceiling.
+  const auto ring = [](double low, double high, double bottom, double top) {
+    std::ostringstream text;
+    text << std::setprecision(17);
+    const double c = std::cos(0.5), s = std::sin(0.5);
+    for (const auto& [u, z] : {std::pair{low, bottom}, {high, bottom}, {high, top}, {low, top}}) {
+      text << (text.tellp() > 0 ? ",[" : "[") << c * u - s << ',' << s * u + c << ',' << z << ']';
+    }
+    return text.str();
+  };
+  write("wall.scene.json", R"({"gnomon": 1, "dimension": 3, "lights": [
+    {"name": "panel", "shape": "polygon", "vertices": [)" +
+                               ring(1.1, 1.7, 0.3, 0.9) + R"(]},
+    {"name": "beside", "shape": "polygon", "vertices": [)" +
+                               ring(5.1, 5.7, 0.3, 0.9) + R"(]},
+    {"name": "above", "shape": "polygon", "vertices": [[0,0,9], [0,1,9], [1,1,9], [1,0,9]]}], "blockers": [
+    {"name": "ceiling", "shape": "polygon", "vertices": [[-9,-9,9], [9,-9,9], [9,9,9], [-9,9,9]]},
+    {"name": "wall", "shape": "polygon", "vertices": [)" +
+                               ring(0, 3, 0, 2) + "]}]}");
+  ASSERT_EQ(gnomon("check wall.scene.json --json wall.json").code, 0);
+  std::vector<std::string> doubts;
+  const json all = read_json("wall.json").at("doubts");
+  for (const json& doubt : all) {
+    if (doubt.get<std::string>().find("rounded off") != std::string::npos) doubts.push_back(doubt);
+  }
+  EXPECT_THAT(doubts, testing::ElementsAre(testing::StartsWith("light \"panel\": it lies on blocker \"wall\"")));
 }
 
 TEST_F(CheckCommand, DoubtsReceiversThatAreBlockersOfAnotherMaterial) {

@@ -16,7 +16,7 @@ using testing::StartsWith;
 TEST_F(Program, ExampleListsWhatIsInstalled) {
   const Outcome run = gnomon("example");
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_THAT(run.out, AllOf(StartsWith("cornell_box "), HasSubstr("\nfigure_4_22 "), HasSubstr("\npoints.csv ")));
+  EXPECT_THAT(run.out, AllOf(StartsWith("boxes "), HasSubstr("\nfigure_4_22 "), HasSubstr("\npoints.csv ")));
   EXPECT_THAT(run.out, HasSubstr("in the plane"));
 }
 
@@ -36,8 +36,8 @@ TEST_F(Program, EveryExampleCanBePrintedAndScenesChecked) {
     for scene in copies/*.scene.json; do "$GNOMON" check "$scene" --quiet || echo "$scene"; done)");
   EXPECT_EQ(run.out, "");
   for (const std::string& line : lines(run.err)) {
-    // The papers' cylinders are open, and one of their scenes has no blocker.
-    EXPECT_THAT(line, AnyOf(HasSubstr("/phong_"), HasSubstr("/p93_3_8"))) << line;
+    // The papers' cylinders are open, one of their scenes has no blocker, and boxes have dark sides.
+    EXPECT_THAT(line, AnyOf(HasSubstr("/phong_"), HasSubstr("/p93_3_8"), HasSubstr("/boxes"))) << line;
   }
   EXPECT_TRUE(exists("copies/letter_block.stl"));
   EXPECT_TRUE(exists("copies/s14.scene.json"));
