@@ -26,7 +26,7 @@ OwnBlockers::OwnBlockers(std::span<const ConvexBlocker> blockers) : blockers_(bl
     const auto* solid = std::get_if<ConvexSolid>(&blockers[b]);
     if (!solid) continue;
     for (const Point3& p : solid->points()) {
-      std::vector<std::uint32_t>& solids = solids_at_[{p.x + 0.0, p.y + 0.0, p.z + 0.0}];
+      std::vector<std::uint32_t>& solids = solids_at_[place_key(p)];
       if (solids.empty() || solids.back() != b) solids.push_back(b);
     }
   }
@@ -36,7 +36,7 @@ std::vector<std::uint32_t> OwnBlockers::of(const ConvexPolygon& facet) const {
   std::vector<std::uint32_t> common;
   bool first = true;
   for (const Point3& p : facet.points()) {
-    const auto found = solids_at_.find({p.x + 0.0, p.y + 0.0, p.z + 0.0});
+    const auto found = solids_at_.find(place_key(p));
     if (found == solids_at_.end()) return {};
     if (first) common = found->second;
     first = false;

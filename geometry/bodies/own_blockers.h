@@ -1,11 +1,11 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <map>
 #include <span>
 #include <vector>
 
+#include "geometry/numbers/place_key.h"
 #include "gnomon/blocker.h"
 
 namespace gnomon {
@@ -15,15 +15,15 @@ namespace gnomon {
 /// their hull, and they must not hide the light from it.
 class OwnBlockers {
  public:
+  /// The blockers outlive it.
   explicit OwnBlockers(std::span<const ConvexBlocker> blockers);
 
   /// Their indices, ascending. The facet's front is the side that its vertices go round counterclockwise.
   std::vector<std::uint32_t> of(const ConvexPolygon& facet) const;
 
  private:
-  using Place = std::array<double, 3>;
   std::span<const ConvexBlocker> blockers_;
-  std::map<Place, std::vector<std::uint32_t>> solids_at_;  ///< ascending
+  std::map<PlaceKey, std::vector<std::uint32_t>> solids_at_;  ///< ascending
 };
 
 }  // namespace gnomon

@@ -231,14 +231,14 @@ class CoplanarPairs {
     return add_crossing({p[0], p[1], beside_}, q[0], q[1]);
   }
 
-  /// The place at the share s of the way from one point to another, also beyond it or the other way.
-  PointId add_on_line(PointId from, PointId to, const ExactReal& s) {
-    const auto c = coordinates<ExactReal>(scene_.points[from]), d = coordinates<ExactReal>(scene_.points[to]);
+  /// The place as far beyond `middle` as `end` is before it.
+  PointId add_beyond(PointId end, PointId middle) {
+    const auto c = coordinates<ExactReal>(scene_.points[end]), m = coordinates<ExactReal>(scene_.points[middle]);
     EventPoint point;
     point.kind = EventPoint::Kind::constructed;
     point.exact.emplace();
-    for (std::size_t k = 0; k < 3; ++k) (*point.exact)[k] = c[k] * d[3] + s * (d[k] * c[3] - c[k] * d[3]);
-    (*point.exact)[3] = c[3] * d[3];
+    for (std::size_t k = 0; k < 3; ++k) (*point.exact)[k] = 2 * m[k] * c[3] - c[k] * m[3];
+    (*point.exact)[3] = m[3] * c[3];
     point.input = rounded(*point.exact);
     scene_.points.push_back(std::move(point));
     return static_cast<PointId>(scene_.points.size() - 1);
@@ -264,13 +264,11 @@ class CoplanarPairs {
   void take_meeting_of(const PlaneIds& plane, PointId place, PointId n, PointId f, EdgeId near, const FarEdge& far,
                        std::optional<std::uint32_t> facet) {
     if (far.is_on_light) {
-      return take_({WedgeKind::from_light_place, place, n, add_on_line(place, f, -1), 0, near, facet, far});
+      return take_({WedgeKind::from_light_place, place, n, add_beyond(f, place), 0, near, facet, far});
     }
     const std::vector<PointId> light = light_outline(plane);
     if (light.size() != 2) return;
-    // Of the far edge counts to which side it runs; so near the place, before the light.
-    const ExactReal little = 0x1p-40;
-    const FarEdge beside{add_on_line(place, n, -little), add_on_line(place, f, little), false, far.name};
+    const FarEdge beside{add_beyond(n, place), f, false, far.name, true};
     take_({WedgeKind::from_light_edge, place, light[0], light[1], 0, near, facet, beside});
   }
 

@@ -56,7 +56,8 @@ void WedgeTracer::set_half_spaces(const Wedge& wedge) {
   const Point3 side{a.x + to_a[0], a.y + to_a[1], a.z + to_a[2]};
   half_spaces_[4] = rough_side(half_spaces_[0], along, a, finite ? v.input : side);
   using enum EventPoint::Kind;
-  if (v.kind != constructed && scene_.points[wedge.a].kind != constructed) return;
+  const auto is_constructed = [&](PointId p) { return scene_.points[p].kind == constructed; };
+  if (!is_constructed(wedge.apex) && !is_constructed(wedge.a) && !is_constructed(wedge.b)) return;
   // Constructed points are rounded here, by less than this.
   const auto size_of = [](const Point3& p) { return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}); };
   const double shift = 0x1p-50 * std::max({finite ? size_of(v.input) : 0, size_of(a), size_of(b)});
@@ -153,7 +154,8 @@ bool WedgeTracer::keep_far(Pencil& pencil, const Wedge& wedge) {
     Nodes nodes = segment;
     if (!pencil.clip_to(nodes, cone)) continue;
     const bool beyond_edge = wedge.kind == WedgeKind::edge_first;
-    if (cone == Cone::towards && !pencil.clip(nodes, Pencil::x, beyond_edge ? -1 : 1)) continue;
+    const bool is_clipped = cone == Cone::towards && !wedge.far->only_bounds;
+    if (is_clipped && !pencil.clip(nodes, Pencil::x, beyond_edge ? -1 : 1)) continue;
     const bool may_pass_light = !wedge.far->is_on_light && (beyond_edge || cone == Cone::away);
     if (may_pass_light && !pencil.clip(nodes, light_function(pencil, wedge), 1)) continue;
     const auto range = pencil.range(nodes, cone);

@@ -73,6 +73,7 @@ struct IlluminationEdge {
 /// blocker touches the receiver): there each face has a point of its own, whose irradiance is that of a place 2^-20 of
 /// the way into the face.
 struct IlluminationMesh {
+  int order = 1;  ///< 1: linear faces; 2: quadratic ones
   std::vector<Point3> points;
   std::vector<Irradiance> irradiance;              ///< of each point, of all lights together [W/m²]
   std::vector<std::vector<Irradiance>> of_lights;  ///< of each light, of each point

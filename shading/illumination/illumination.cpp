@@ -124,6 +124,7 @@ class Illuminating {
   Illumination made() {
     divide();
     result_.meshes.resize(receivers_.size());
+    for (IlluminationMesh& mesh : result_.meshes) mesh.order = effort_.order;
     ask_probes();
     result_.tolerance = effort_.is_relative ? effort_.tolerance * result_.largest : effort_.tolerance;
     std::size_t done = 0;
@@ -291,8 +292,7 @@ double IlluminationMesh::flux() const {
   double sum = 0;
   for (const IlluminationFace& face : faces) {
     // The mean of a quadratic function on a triangle is that of the middles of its edges.
-    const bool is_linear = face.middles[0] == face.middles[1];
-    const auto& [a, b, c] = is_linear ? face.corners : face.middles;
+    const auto& [a, b, c] = order == 1 ? face.corners : face.middles;
     sum +=
         illuminated_area(*this, face) * (irradiance[a].value / 3 + irradiance[b].value / 3 + irradiance[c].value / 3);
   }

@@ -1,39 +1,38 @@
 #include "shading/illumination/outlines.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
 
 #include "geometry/bodies/body.h"
 #include "geometry/numbers/orientation.h"
+#include "geometry/numbers/place_key.h"
 #include "geometry/numbers/vector3.h"
 
 namespace gnomon::illumination {
 namespace {
 
-using Place = std::array<double, 3>;
-using Side = std::pair<Place, Place>;
-
-Place place(const Point3& p) {
-  return {p.x + 0.0, p.y + 0.0, p.z + 0.0};
-}
+using Side = std::pair<PlaceKey, PlaceKey>;
 
 Side side_between(const Point3& a, const Point3& b) {
-  return std::minmax(place(a), place(b));
+  return std::minmax(place_key(a), place_key(b));
 }
 
 double length(const Vector3<double>& v) {
   return std::hypot(v.x, v.y, v.z);
 }
 
-std::size_t nearest_side(const ConvexPolygon& receiver, const Point3& p) {
+/// The side that a place of the border lies on; of a receiver that was rounded off its plane the nearest one.
+std::size_t side_under(const ConvexPolygon& receiver, const ExactVector& p) {
   const auto points = receiver.points();
+  const auto end = [&](std::size_t k) -> const Point3& { return points[k % points.size()]; };
   std::size_t nearest = 0;
   double least = HUGE_VAL;
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const double away = distance(p, points[k], points[(k + 1) % points.size()]);
+    const ExactVector a = exact(end(k)), b = exact(end(k + 1));
+    if (is_zero(cross(b - a, p - a)) && dot(p - a, p - b) <= 0) return k;
+    const double away = distance(near_point(p), end(k), end(k + 1));
     if (away < least) least = away, nearest = k;
   }
   return nearest;
@@ -119,7 +118,7 @@ Outline outline_of(std::span<const ConvexPolygon* const> receivers, std::span<co
   for (std::size_t r = 0; r < receivers.size(); ++r) {
     const auto points = receivers[r]->points();
     for (const ExactVector& p : traces[r].on_border) {
-      const std::size_t k = nearest_side(*receivers[r], near_point(p));
+      const std::size_t k = side_under(*receivers[r], p);
       between[side_between(points[k], points[(k + 1) % points.size()])].push_back(p);
     }
   }

@@ -24,10 +24,6 @@ Point3 towards(const Point3& a, const Point3& b, double share) {
   return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.z + share * (b.z - a.z)};
 }
 
-std::array<double, 3> coordinates(const Point3& p) {
-  return {p.x + 0.0, p.y + 0.0, p.z + 0.0};
-}
-
 /// Twice a sixth of the way between corners and edges: 25 places beside the corners, those in the middle first.
 const std::vector<Weights>& lattice() {
   static const std::vector<Weights> places = [] {
@@ -60,7 +56,7 @@ Refinement::Refinement(FirstTriangles first, std::span<const std::uint32_t> rece
       lights_(lights),
       goal_(goal),
       states_(mesh_.triangles().size()) {
-  for (const Point3& p : many_limits) many_limits_.insert(coordinates(p));
+  for (const Point3& p : many_limits) many_limits_.insert(place_key(p));
   for (std::uint32_t t = 0; t < states_.size(); ++t) open_ends(t);
   place_probes();
 }
@@ -80,7 +76,7 @@ void Refinement::open_ends(std::uint32_t triangle) {
   is_open_.resize(mesh_.points().size());
   const HalvingTriangle& t = mesh_.triangles()[triangle];
   for (std::size_t k = 0; k < 3; ++k) {
-    if (many_limits_.contains(coordinates(mesh_.points()[t.corners[k]]))) is_open_[t.corners[k]] = true;
+    if (many_limits_.contains(place_key(mesh_.points()[t.corners[k]]))) is_open_[t.corners[k]] = true;
     if (t.orders[k] != 0) continue;
     for (const std::uint32_t v : {t.corners[k], t.corners[(k + 1) % 3]}) is_open_[v] = true;
   }
@@ -108,19 +104,35 @@ Point3 Refinement::asked_at(std::uint32_t triangle, std::size_t node) const {
 }
 
 void Refinement::place_probes() {
-  // Each goes to the triangle that it is deepest in, so that rounding loses none.
+  std::uint32_t last = 0;
   for (std::uint32_t p = 0; p < probes_.size(); ++p) {
-    double deepest = -HUGE_VAL;
-    std::uint32_t best = none;
-    for (std::uint32_t t = 0; t < states_.size(); ++t) {
-      if (receiver_of(t) != probes_[p].receiver) continue;
-      const Weights w = weights_of(t, probes_[p].point);
-      const double depth = std::min({w[0], w[1], w[2]});
-      if (depth > deepest) deepest = depth, best = t;
-      if (depth >= 0) break;
+    if (const auto around = triangle_around(probes_[p], last)) {
+      last = *around;
+      states_[last].probes.push_back(p);
     }
-    if (best != none) states_[best].probes.push_back(p);
   }
+}
+
+/// Walks from triangle to triangle towards the place. Where a border or rounding ends the walk all triangles are looked
+/// at, for the one that the place is deepest in.
+std::optional<std::uint32_t> Refinement::triangle_around(const Probe& probe, std::uint32_t from) const {
+  const auto depth = [](const Weights& w) { return std::min({w[0], w[1], w[2]}); };
+  for (std::size_t steps = 0; from != none && steps < 2 * states_.size(); ++steps) {
+    const Weights w = weights_of(from, probe.point);
+    if (depth(w) >= 0) break;
+    // Across from the corner whose weight is least.
+    const auto corner = static_cast<std::size_t>(std::ranges::min_element(w) - w.begin());
+    from = mesh_.triangles()[from].beyond[(corner + 1) % 3];
+  }
+  if (from != none && depth(weights_of(from, probe.point)) >= 0 && receiver_of(from) == probe.receiver) return from;
+  std::optional<std::uint32_t> best;
+  double deepest = -HUGE_VAL;
+  for (std::uint32_t t = 0; t < states_.size(); ++t) {
+    if (receiver_of(t) != probe.receiver) continue;
+    const double here = depth(weights_of(t, probe.point));
+    if (here > deepest) deepest = here, best = t;
+  }
+  return best;
 }
 
 void Refinement::move_probes(const Halving& halving) {

@@ -4,10 +4,12 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <vector>
 
+#include "geometry/numbers/place_key.h"
 #include "shading/illumination/halving_mesh.h"
 #include "shading/illumination/lights_together.h"
 
@@ -62,6 +64,7 @@ class Refinement {
  private:
   void open_ends(std::uint32_t triangle);
   void place_probes();
+  std::optional<std::uint32_t> triangle_around(const Probe& probe, std::uint32_t from) const;
   void move_probes(const Halving& halving);
   void ask_shared(std::span<const std::uint32_t> triangles);
   void judge(std::uint32_t triangle, std::size_t worker);
@@ -83,7 +86,7 @@ class Refinement {
 
   HalvingMesh mesh_;
   std::vector<std::uint32_t> receivers_;
-  std::set<std::array<double, 3>> many_limits_;
+  std::set<PlaceKey> many_limits_;
   std::vector<Probe> probes_;
   LightsTogether& lights_;
   RefinementGoal goal_;

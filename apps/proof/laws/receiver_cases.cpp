@@ -63,6 +63,15 @@ Points draw_blocker(Stands stands) {
   return points;
 }
 
+/// A triangle or a tetrahedron from a vertex of the light, or half way between two, to the floor.
+Points draw_fin(const Points& light) {
+  const auto vertex = [&] { return light[static_cast<std::size_t>(draw(0, static_cast<int>(light.size()) - 1))]; };
+  const Point3 a = vertex(), b = vertex();
+  Points points{{(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2}};
+  for (int n = draw(2, 3); n > 0; --n) points.push_back({double(draw(-2, 2)), double(draw(-2, 2)), 0});
+  return points;
+}
+
 ConvexBlocker blocker_of(Points points) {
   if (points.size() > 3 && !are_coplanar(points)) return ConvexSolid::hull_of(points);
   points.resize(3);
@@ -82,6 +91,7 @@ ReceiverCase draw_scene(Domain domain, int most_blockers, Stands stands) {
   const int kind = bent ? draw(0, 2) : 0;
   const double scale = std::ldexp(1.0, draw(-1, 1) * 8);
   Points light = draw_light();
+  const Points straight = light;
   Points floor{{-7, -7, 0}, {7, -7, 0}, {7, 7, 0}, {-7, 7, 0}};
   if (once_in(3)) floor = {{-9, -7, 0}, {8, -6, 0}, {0, 9, 0}};
   bend(light, kind, scale);
@@ -89,7 +99,7 @@ ReceiverCase draw_scene(Domain domain, int most_blockers, Stands stands) {
   if (bent && light.size() == 3 && once_in(2)) light[2] = nudged_beside_whole_numbers(light[2]);
   std::vector<ConvexBlocker> blockers;
   for (int i = once_in(3) ? draw(1, most_blockers) : 1; i > 0; --i) {
-    Points points = draw_blocker(stands);
+    Points points = once_in(5) ? draw_fin(straight) : draw_blocker(stands);
     bend(points, kind, scale);
     if (bent && points.size() < 5 && once_in(2)) points[1] = nudged_beside_whole_numbers(points[1]);
     blockers.push_back(blocker_of(points));

@@ -31,8 +31,8 @@ void count_regions(const ReceiverCase& drawn, Census& census);
 enum class Stands { anywhere, on_floor };
 
 /// Scenes of up to `most_blockers`: triangles, boxes and tetrahedra with small whole coordinates, which stand on the
-/// floor, pass through it or hang above it, touch each other, have edges parallel to the light's or not. Near
-/// degeneracy one ulp off, stretched, or far from the origin with small detail.
+/// floor, pass through it or hang above it, touch each other or the light, have edges parallel to the light's or not.
+/// Near degeneracy one ulp off, stretched, or far from the origin with small detail.
 rc::Gen<ReceiverCase> receiver_cases(Domain domain, int most_blockers, Stands stands = Stands::anywhere);
 
 }  // namespace gnomon::laws

@@ -280,20 +280,22 @@ std::optional<Light> touched_light(Dice& dice) {
   return AreaLight{*std::move(polygon), dice.once_in(2)};
 }
 
-/// A vertex of the light, or half way between two.
-Point3 point_on(Dice& dice, const Light& light) {
-  const Points points = points_of(light);
+/// One of some points, or half way between two.
+Point3 point_among(Dice& dice, const Points& points) {
   const Point3 a = dice.one_of(points), b = dice.once_in(2) ? a : dice.one_of(points);
   return {(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2};
 }
 
-Points touching_points(Dice& dice, const Light& light) {
-  Points points{point_on(dice, light)};
+/// At vertices of the light, on its edges or inside; at, on or in earlier blockers; on the floor; through the light.
+Points touching_points(Dice& dice, const SideCase& drawn) {
+  const Points light = points_of(drawn.light), all = all_points(drawn);
+  Points points{point_among(dice, dice.once_in(3) ? all : light)};
   for (int n = dice.draw(2, 3); n > 0; --n) {
-    const int kind = dice.draw(0, 4);
-    if (kind == 0) points.push_back(point_on(dice, light));
-    if (kind == 1) points.push_back({half(dice, -1, 3), half(dice, -2, 2), height(dice, {0.5, 1, 2, 3})});
-    if (kind > 1) points.push_back({half(dice, -1, 3), half(dice, -1, 1), 0});
+    const int kind = dice.draw(0, 9);
+    if (kind < 2) points.push_back(point_among(dice, light));
+    if (kind == 2) points.push_back(point_among(dice, all));
+    if (kind == 3 || kind == 4) points.push_back({half(dice, -1, 3), half(dice, -2, 2), height(dice, {0.5, 1, 2, 3})});
+    if (kind > 4) points.push_back({half(dice, -1, 3), half(dice, -1, 1), 0});
   }
   return points;
 }
@@ -356,7 +358,7 @@ SideCase tangle(Dice& dice) {
 
 SideCase luminaire(Dice& dice) {
   SideCase drawn{drawn_from(dice, touched_light), {}, {}};
-  add_blockers(dice, drawn, 3, [&](Dice& d) { return touching_points(d, drawn.light); });
+  add_blockers(dice, drawn, 3, [&](Dice& d) { return touching_points(d, drawn); });
   drawn.receivers.push_back(ConvexPolygon::from_points({{-6, -5, 0}, {6, -5, 0}, {6, 5, 0}, {-6, 5, 0}}));
   drawn.receivers.push_back(turned(dice, drawn, wall_receiver(dice, drawn)));
   return drawn;

@@ -28,7 +28,8 @@ SideCase room(Dice& dice);
 /// edges and facets of the others, ends on them or passes through them.
 SideCase tangle(Dice& dice);
 
-/// Fins, baffles and screens that touch the light, at its vertices, on its edges or inside, and the floor.
+/// Fins, baffles and screens that touch the light, at its vertices, on its edges or inside, each other and the floor,
+/// or pass through the light.
 SideCase luminaire(Dice& dice);
 
 /// The case as a scene file.
