@@ -155,6 +155,57 @@ TEST(CoplanarPairs, OfAFacetsPlaneAreTracedWhereOthersHideItsCorners) {
   }
 }
 
+/// The region of a floor point under a window on the floor, x = 0, y from -1 to 1, z from 0 to 2, that shines along +x.
+ReceiverRegion region_before_window(const Blockers& blockers, double x, double y) {
+  const Light window = lamp(ConvexPolygon::from_points({{0, -1, 0}, {0, 1, 0}, {0, 1, 2}, {0, -1, 2}}));
+  const ConvexPolygon floor = rectangle(1, -2, 4, 2, 0, Facing::up);
+  const ReceiverMesh mesh = receiver_division(window, blockers, std::vector{floor}).front();
+  EXPECT_EQ(compare_with_definition(mesh, floor, window, blockers, 200, 3).different, 0U);
+  return mesh.faces()[face_at(mesh, exact(Point3{x, y, 0})).value()].region;
+}
+
+TEST(CoplanarPairs, OfAWingAndTheSideOfAWindowAreTracedFromTheCornerWhereTheyMeet) {
+  // From the upper corner, or through it from above, or through the side, to the floor, and away from the window.
+  const Blockers wings[] = {{ConvexPolygon::from_points({{0, 1, 2}, {1, 1, 0}, {1, 3, 0}})},
+                            {ConvexPolygon::from_points({{-1, 1, 4}, {1, 1, 0}, {1, 3, 0}})},
+                            {ConvexPolygon::from_points({{-1, 1, 2}, {1, 1, 0}, {1, 3, 0}})}};
+  for (const Blockers& wing : wings) {
+    EXPECT_EQ(region_before_window(wing, 2.3, 0.9), ReceiverRegion::lit);
+    EXPECT_EQ(region_before_window(wing, 2.3, 1.1), ReceiverRegion::penumbra);
+  }
+}
+
+TEST(CoplanarPairs, OfAFinsPlaneAndAWindowAreTracedFromWhereTheyMeet) {
+  // From the window's edge, from its inside, or through it, to the floor: in front of some of it from everywhere else.
+  const Blockers fins[] = {{ConvexPolygon::from_points({{0, 0, 2}, {0.5, 0, 0}, {1, 0, 0}})},
+                           {ConvexPolygon::from_points({{0, 0, 1}, {0.5, 0, 0}, {1, 0, 0}})},
+                           {ConvexPolygon::from_points({{-1, 0, 2}, {0.5, 0, 0}, {1, 0, 0}})}};
+  for (const Blockers& fin : fins) {
+    EXPECT_EQ(region_before_window(fin, 2.3, 0.3), ReceiverRegion::penumbra);
+    EXPECT_EQ(region_before_window(fin, 2.3, -0.3), ReceiverRegion::penumbra);
+  }
+}
+
+TEST(CoplanarPairs, OfEdgesThatMeetAreTracedWhereAllElseIsSeenAlongTheFloor) {
+  // A window on the floor. The left screen slopes towards it, the right one away from it; they share a corner, and from
+  // there two walls go up that share their side. The light that comes through between the screens is seen from the
+  // left only, and it ends at that corner and at the floor.
+  const Light window = lamp(ConvexPolygon::from_points({{1, 0, 0}, {-1, 0, 0}, {-1, 0, 9}, {1, 0, 9}}));
+  const Blockers screens{ConvexPolygon::from_points({{0, 2, 2}, {0, 1, 0}, {-9, 1, 0}, {-9, 2, 2}}),
+                         ConvexPolygon::from_points({{0, 2, 2}, {0, 3, 0}, {9, 3, 0}, {9, 2, 2}}),
+                         ConvexPolygon::from_points({{0, 2, 2}, {0, 2, 99}, {-9, 2, 99}, {-9, 2, 2}}),
+                         ConvexPolygon::from_points({{0, 2, 2}, {9, 2, 2}, {9, 2, 99}, {0, 2, 99}})};
+  const ConvexPolygon floor = rectangle(-0.25, 4, 0.25, 5, 0, Facing::up);
+  const ReceiverMesh mesh = receiver_division(window, screens, std::vector{floor}).front();
+  EXPECT_EQ(length_on_axis(mesh, [](const EventName& name) { return name.kind == EventKind::coplanar_edges; }), 1);
+  const auto region_at = [&](double x) {
+    return mesh.faces()[face_at(mesh, exact(Point3{x, 4.625, 0})).value()].region;
+  };
+  EXPECT_EQ(region_at(-0.01), ReceiverRegion::penumbra);
+  EXPECT_EQ(region_at(0.01), ReceiverRegion::umbra);
+  EXPECT_EQ(compare_with_definition(mesh, floor, window, screens, 200, 3).different, 0U);
+}
+
 TEST(CoplanarPairs, AreNotTracedWhereNoLightComesThrough) {
   Blockers blockers = boards(1.5);
   blockers.push_back(rectangle(-9, -30, 9, 30, 0.5, Facing::up));

@@ -290,6 +290,11 @@ Point3 point_among(Dice& dice, const Points& points) {
 Points touching_points(Dice& dice, const SideCase& drawn) {
   const Points light = points_of(drawn.light), all = all_points(drawn);
   Points points{point_among(dice, dice.once_in(3) ? all : light)};
+  if (dice.once_in(3)) {
+    // An edge from the floor through the place.
+    const Point3 w = points[0], foot{half(dice, -1, 3), half(dice, -1, 1), 0};
+    points = {foot, {2 * w.x - foot.x, 2 * w.y - foot.y, 2 * w.z}};
+  }
   for (int n = dice.draw(2, 3); n > 0; --n) {
     const int kind = dice.draw(0, 9);
     if (kind < 2) points.push_back(point_among(dice, light));
@@ -358,7 +363,14 @@ SideCase tangle(Dice& dice) {
 
 SideCase luminaire(Dice& dice) {
   SideCase drawn{drawn_from(dice, touched_light), {}, {}};
-  add_blockers(dice, drawn, 3, [&](Dice& d) { return touching_points(d, drawn); });
+  const bool is_upright = dice.once_in(3);
+  add_blockers(dice, drawn, 3, [&](Dice& d) {
+    Points points = touching_points(d, drawn);
+    // In one upright plane, often that in the middle of all, or at a side of the light.
+    const double y = d.one_of(points_of(drawn.light)).y;
+    for (Point3& p : points) p.y = is_upright ? (d.once_in(4) ? p.y : y == p.y ? y : 0) : p.y;
+    return points;
+  });
   drawn.receivers.push_back(ConvexPolygon::from_points({{-6, -5, 0}, {6, -5, 0}, {6, 5, 0}, {-6, 5, 0}}));
   drawn.receivers.push_back(turned(dice, drawn, wall_receiver(dice, drawn)));
   return drawn;
