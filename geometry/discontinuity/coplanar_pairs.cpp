@@ -14,9 +14,10 @@
 // a vertex and an edge, found elsewhere. Or it passes an end of what the plane has of the light (light_section_), or a
 // third blocker that the plane cuts, at a corner in the plane or where it cuts an edge (find_apexes): a blocker that it
 // does not cut has no inside in it and stops nothing. So every end lies on a line through such an apex that meets near
-// and far, and these lines are what the wedges hold. Where near and far meet, all lines through that place do, and it
-// may be the only end that is not seen along the receiver's plane (a fin between a window and the floor): such a place
-// is an apex, too (take_meeting).
+// and far, and these lines are what the wedges hold. Where near and far meet, all lines through that place
+// do, and it may be the one end, while the other is seen along the receiver's plane. Of two edges the feet have corners
+// in line there (horizon_traces). What a facet's plane cuts out of the light has none: a fin between a window and the
+// floor. So in that plane such a place is an apex, too (take_meeting).
 
 namespace gnomon::event {
 namespace {
@@ -118,7 +119,6 @@ class CoplanarPairs {
     if (far_edge) find_light_section(*plane);
     take_wedges(near, far, {});
     if (far_edge) take_wedges_from_light(near, far);
-    take_meeting(*plane, near, far, {});
     forget_apexes();
   }
 
@@ -244,43 +244,22 @@ class CoplanarPairs {
     return static_cast<PointId>(scene_.points.size() - 1);
   }
 
-  /// Where the near edge meets the far one. An end of each runs to the same side of the lines between the near one and
-  /// what continues the far one beyond the place: there they are seen in line.
-  void take_meeting(const PlaneIds& plane, EdgeId near, const FarEdge& far, std::optional<std::uint32_t> facet) {
+  /// Where an edge of a facet meets what the facet's plane cuts out of the light. An end of each runs to the same side
+  /// of the lines between the edge and what continues the light beyond the place: from there the edge is seen before
+  /// light.
+  void take_meeting(const PlaneIds& plane, EdgeId near, const FarEdge& light, std::uint32_t facet) {
     const std::array<PointId, 2> near_ends{scene_.edges[near].a, scene_.edges[near].b};
-    const std::optional<PointId> place = meeting(plane, near_ends, {far.a, far.b});
-    if (!place || (!far.is_on_light && !is_served(*place))) return;
+    const std::optional<PointId> place = meeting(plane, near_ends, {light.a, light.b});
+    if (!place) return;
     for (const PointId n : near_ends) {
-      if (n == *place || (far.is_on_light && !is_served(n))) continue;
-      for (const PointId f : {far.a, far.b}) {
-        if (f == *place) continue;
+      if (n == *place || !is_served(n)) continue;
+      for (const PointId l : {light.a, light.b}) {
+        if (l == *place) continue;
         const std::size_t before = scene_.points.size();
-        take_meeting_of(plane, *place, n, f, near, far, facet);
+        take_({WedgeKind::from_light_place, *place, n, add_beyond(l, *place), 0, near, facet, light});
         scene_.points.resize(before);
       }
     }
-  }
-
-  void take_meeting_of(const PlaneIds& plane, PointId place, PointId n, PointId f, EdgeId near, const FarEdge& far,
-                       std::optional<std::uint32_t> facet) {
-    if (far.is_on_light) {
-      return take_({WedgeKind::from_light_place, place, n, add_beyond(f, place), 0, near, facet, far});
-    }
-    const std::vector<PointId> light = light_outline(plane);
-    if (light.size() != 2) return;
-    const FarEdge beside{add_beyond(n, place), f, false, far.name, true};
-    take_({WedgeKind::from_light_edge, place, light[0], light[1], 0, near, facet, beside});
-  }
-
-  /// Where the plane cuts the light's outline.
-  std::vector<PointId> light_outline(const PlaneIds& plane) {
-    std::vector<PointId> ends;
-    for (const LightEdge& e : scene_.light_edges) {
-      const int at_a = side(plane, e.a), at_b = side(plane, e.b);
-      if (at_a == 0) ends.push_back(e.a);
-      if (at_a * at_b < 0) ends.push_back(add_crossing(plane, e.a, e.b));
-    }
-    return ends;
   }
 
   /// True of a point of a segment between two points.

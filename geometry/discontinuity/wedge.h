@@ -34,7 +34,6 @@ struct FarEdge {
   PointId b = 0;
   bool is_on_light = false;
   EventElement name;
-  bool only_bounds = false;  ///< a and b only bound lines, towards the light; where the edge is has been looked at
 };
 
 /// A vertex and an edge in line; or, of a coplanar pair, both edges and a place in their plane.

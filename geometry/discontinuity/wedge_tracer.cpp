@@ -154,8 +154,7 @@ bool WedgeTracer::keep_far(Pencil& pencil, const Wedge& wedge) {
     Nodes nodes = segment;
     if (!pencil.clip_to(nodes, cone)) continue;
     const bool beyond_edge = wedge.kind == WedgeKind::edge_first;
-    const bool is_clipped = cone == Cone::towards && !wedge.far->only_bounds;
-    if (is_clipped && !pencil.clip(nodes, Pencil::x, beyond_edge ? -1 : 1)) continue;
+    if (cone == Cone::towards && !pencil.clip(nodes, Pencil::x, beyond_edge ? -1 : 1)) continue;
     const bool may_pass_light = !wedge.far->is_on_light && (beyond_edge || cone == Cone::away);
     if (may_pass_light && !pencil.clip(nodes, light_function(pencil, wedge), 1)) continue;
     const auto range = pencil.range(nodes, cone);
