@@ -65,7 +65,7 @@ class CoplanarPairs {
     for (const EdgeId e : facet.edges) {
       const FarEdge far{facet.light_ends[0], facet.light_ends[1], true, facet.name};
       take_wedges(e, far, f);
-      if (!lies_in_light_plane(e)) take_meeting({facet.loop[0], facet.loop[1], facet.loop[2]}, e, far, f);
+      take_meeting(e, far, f);
     }
     forget_apexes();
   }
@@ -120,10 +120,6 @@ class CoplanarPairs {
     take_wedges(near, far, {});
     if (far_edge) take_wedges_from_light(near, far);
     forget_apexes();
-  }
-
-  bool lies_in_light_plane(EdgeId e) const {
-    return scene_.light_side(scene_.edges[e].a) == 0 && scene_.light_side(scene_.edges[e].b) == 0;
   }
 
   /// The plane of two blockers' edges has one point of a linear light: all lines that matter come from there.
@@ -214,23 +210,6 @@ class CoplanarPairs {
     return s > 0 || (s < 0 && scene_.is_two_sided);
   }
 
-  /// Where two segments of the plane have one point in common, if they have.
-  std::optional<PointId> meeting(const PlaneIds& plane, const std::array<PointId, 2>& p,
-                                 const std::array<PointId, 2>& q) {
-    for (const PointId end : p) {
-      if (end == q[0] || end == q[1] || lies_on(end, q[0], q[1])) return end;
-    }
-    for (const PointId end : q) {
-      if (lies_on(end, p[0], p[1])) return end;
-    }
-    const auto parts = [&](const std::array<PointId, 2>& line, const std::array<PointId, 2>& ends) {
-      const PlaneIds across{line[0], line[1], beside_};
-      return side(across, ends[0]) * side(across, ends[1]) < 0;
-    };
-    if (side(plane, beside_) == 0 || !parts(p, q) || !parts(q, p)) return std::nullopt;
-    return add_crossing({p[0], p[1], beside_}, q[0], q[1]);
-  }
-
   /// The place as far beyond `middle` as `end` is before it.
   PointId add_beyond(PointId end, PointId middle) {
     const auto c = coordinates<ExactReal>(scene_.points[end]), m = coordinates<ExactReal>(scene_.points[middle]);
@@ -244,19 +223,16 @@ class CoplanarPairs {
     return static_cast<PointId>(scene_.points.size() - 1);
   }
 
-  /// Where an edge of a facet meets what the facet's plane cuts out of the light. An end of each runs to the same side
-  /// of the lines between the edge and what continues the light beyond the place: from there the edge is seen before
-  /// light.
-  void take_meeting(const PlaneIds& plane, EdgeId near, const FarEdge& light, std::uint32_t facet) {
-    const std::array<PointId, 2> near_ends{scene_.edges[near].a, scene_.edges[near].b};
-    const std::optional<PointId> place = meeting(plane, near_ends, {light.a, light.b});
-    if (!place) return;
-    for (const PointId n : near_ends) {
-      if (n == *place || !is_served(n)) continue;
+  /// Where an edge of a facet ends on what the facet's plane cuts out of the light. An end of each runs to the same
+  /// side of the lines between the edge and what continues the light beyond the place: from there the edge is seen
+  /// before light. Where the facet meets the light elsewhere all such lines pass another of its edges.
+  void take_meeting(EdgeId near, const FarEdge& light, std::uint32_t facet) {
+    const BlockerEdge& edge = scene_.edges[near];
+    for (const auto& [place, n] : {std::pair(edge.a, edge.b), std::pair(edge.b, edge.a)}) {
+      if (!lies_on(place, light.a, light.b) || !is_served(n)) continue;
       for (const PointId l : {light.a, light.b}) {
-        if (l == *place) continue;
         const std::size_t before = scene_.points.size();
-        take_({WedgeKind::from_light_place, *place, n, add_beyond(l, *place), 0, near, facet, light});
+        take_({WedgeKind::from_light_place, place, n, add_beyond(l, place), 0, near, facet, light});
         scene_.points.resize(before);
       }
     }

@@ -41,22 +41,6 @@ class LightCuts {
     return touches;
   }
 
-  std::vector<ExactVector> touches_of_linear_light() {
-    const ExactVector a = at(scene_.light_edges[0].a), b = at(scene_.light_edges[0].b);
-    std::vector<ExactVector> touches;
-    for (const BlockerEdge& e : scene_.edges) {
-      const ExactVector c = at(e.a), d = at(e.b);
-      const ExactVector of_a = cross(c - a, d - a), of_b = cross(c - b, d - b), of_ab = cross(b - a, d - c);
-      if (dot(cross(b - a, c - a), d - a) != 0 || is_zero(of_ab)) continue;
-      // In one plane, and not parallel: the shares of the way along both.
-      const Rational whole = dot(of_ab, of_ab);
-      const Rational share = dot(cross(c - a, d - c), of_ab) / whole, other = dot(cross(c - a, b - a), of_ab) / whole;
-      if (share < 0 || share > 1 || other < 0 || other > 1) continue;
-      touches.push_back(a + share * (b - a));
-    }
-    return touches;
-  }
-
   std::vector<LightCut> of_linear_light() {
     const ExactVector a = at(scene_.light_edges[0].a), b = at(scene_.light_edges[0].b);
     for (const Shape& shape : scene_.shapes) {
@@ -134,10 +118,8 @@ std::vector<LightCut> light_cuts(const EventScene& scene) {
 }
 
 std::vector<EventPoint> light_touches(const EventScene& scene, const std::vector<LightCut>& cuts) {
-  LightCuts finder(scene);
-  std::vector<ExactVector> touches = scene.kind == LightKind::area     ? finder.touches_of_area_light()
-                                     : scene.kind == LightKind::linear ? finder.touches_of_linear_light()
-                                                                       : std::vector<ExactVector>{};
+  if (scene.kind != LightKind::area) return {};
+  std::vector<ExactVector> touches = LightCuts(scene).touches_of_area_light();
   std::vector<ExactVector> known;
   for (const LightVertex& v : scene.light_vertices) known.push_back(exact_place(scene.points[v.point]));
   for (const LightCut& cut : cuts) {

@@ -21,9 +21,10 @@ struct LightCut {
 /// Exactness: exact; the points bear homogeneous coordinates.
 std::vector<LightCut> light_cuts(const EventScene& scene);
 
-/// Where blockers touch the light in a point: with a vertex, beside its outline, or a linear one with an edge. Each
-/// once, without vertices of the light and ends of cuts.
-/// Requires, Exactness: as above.
+/// Where blockers touch an area light in a point: with a vertex, or at its outline. Each once, without vertices of the
+/// light and ends of cuts. A blocker that touches a linear light in a point has a plane there that cuts it, or hides
+/// nothing.
+/// Exactness: as above.
 std::vector<EventPoint> light_touches(const EventScene& scene, const std::vector<LightCut>& cuts);
 
 /// The points in which the plane of a loop cuts the light's outline, if it leaves vertices of the light on both sides.

@@ -137,7 +137,8 @@ bool is_same_between(const ReceiverScene& scene, const std::vector<ExactPlane>& 
          is_lit_after(scene.drawn.light, scene.blockers, scene.path(at(k + 1), scene.direction).reversed());
 }
 
-/// The planes of the events that a mesh names along an edge; of a contact all facets' of the blocker.
+/// The planes of the events that a mesh names along an edge; of a contact all facets' of the blocker. A place where a
+/// blocker meets the light is no vertex of either: light ends in no plane of it alone.
 std::vector<ExactPlane> named_planes(const ReceiverCase& drawn, const DividedReceiver& mesh, const MeshEdge& edge) {
   std::vector<ExactPlane> planes;
   for (const std::uint32_t n : edge.names) {
@@ -145,10 +146,11 @@ std::vector<ExactPlane> named_planes(const ReceiverCase& drawn, const DividedRec
     if (name.kind == EventKind::vertex_edge) {
       const auto vertex = named_points(name.vertex, true, false, drawn.light, drawn.blockers);
       const auto ends = named_points(name.edge, false, false, drawn.light, drawn.blockers);
-      planes.push_back(plane_through(vertex[0], ends[0], ends[1]));
+      if (!vertex.empty() && !ends.empty()) planes.push_back(plane_through(vertex[0], ends[0], ends[1]));
     }
     if (name.kind == EventKind::coplanar_edges || name.kind == EventKind::horizon) {
       const auto ends = named_points(name.edge, false, false, drawn.light, drawn.blockers);
+      if (ends.empty()) continue;
       for (const ExactVector& p : named_points(name.vertex, false, false, drawn.light, drawn.blockers)) {
         const ExactVector normal = cross(ends[1] - ends[0], p - ends[0]);
         if (dot(normal, normal) != 0) planes.push_back(plane_through(p, ends[0], ends[1]));
