@@ -64,7 +64,8 @@ struct FluxOfOne {
 std::optional<double> light_flux(const Light& light, double strength, const LengthUnit& unit) {
   const std::optional<double> of_one = std::visit(FluxOfOne{double(unit.top) / double(unit.bottom)}, light);
   if (!of_one) return std::nullopt;
-  return strength * *of_one;
+  const double flux = strength * *of_one;
+  return std::isfinite(flux) ? std::optional(flux) : std::nullopt;
 }
 
 }  // namespace gnomon

@@ -7,7 +7,8 @@
 
 namespace gnomon {
 
-/// The flux [W] of a light of a strength, in all directions: none of a directional light.
+/// The flux [W] of a light of a strength, in all directions: none of a directional light, nor where
+/// it exceeds the range of doubles.
 ///
 /// Definition: pi times radiance times area, of both sides if two-sided; 4 pi times the intensity of a point; of a
 ///             linear light its length times the integral of k cos^(m+1)(beta) between the flaps, times the angle of

@@ -39,24 +39,30 @@ MeshJson cycles_json(const ReceiverMesh& mesh, const std::vector<std::vector<Mes
   return list;
 }
 
+/// The edges along each cycle: from each of its vertices to the next.
+MeshJson edge_cycles_json(const std::vector<std::vector<MeshEdgeUse>>& cycles) {
+  MeshJson list = MeshJson::array();
+  for (const std::vector<MeshEdgeUse>& cycle : cycles) {
+    std::vector<std::uint32_t> edges;
+    for (const MeshEdgeUse use : cycle) edges.push_back(use / 2);
+    list.push_back(std::move(edges));
+  }
+  return list;
+}
+
 MeshJson vertices_json(const ReceiverMesh& mesh) {
   MeshJson list = MeshJson::array();
   for (const Point3& p : mesh.vertices()) list.push_back({p.x, p.y, p.z});
   return list;
 }
 
-MeshJson faces_json(const ReceiverMesh& mesh) {
+/// Faces of the mesh, or regions of them.
+template <class Parts>
+MeshJson parts_json(const ReceiverMesh& mesh, const Parts& parts, bool with_edges) {
   MeshJson list = MeshJson::array();
-  for (const MeshFace& face : mesh.faces()) {
-    list.push_back({{"region", name(face.region)}, {"cycles", cycles_json(mesh, face.cycles)}});
-  }
-  return list;
-}
-
-MeshJson polygons_json(const ReceiverMesh& mesh) {
-  MeshJson list = MeshJson::array();
-  for (const RegionPolygon& polygon : mesh.regions()) {
-    list.push_back({{"region", name(polygon.region)}, {"cycles", cycles_json(mesh, polygon.cycles)}});
+  for (const auto& part : parts) {
+    list.push_back({{"region", name(part.region)}, {"cycles", cycles_json(mesh, part.cycles)}});
+    if (with_edges) list.back()["edge_cycles"] = edge_cycles_json(part.cycles);
   }
   return list;
 }
@@ -108,8 +114,8 @@ MeshJson reflection_json(const ReceiverResult& receiver) {
 MeshJson mesh_json(const DiscontinuityResult& result, const ReceiverResult& receiver, const MeshParts& parts) {
   MeshJson json = {{"vertices", vertices_json(receiver.mesh)}};
   if (!receiver.radiance.empty()) json.update(reflection_json(receiver));
-  if (parts.faces) json["faces"] = faces_json(receiver.mesh);
-  if (parts.polygons) json["polygons"] = polygons_json(receiver.mesh);
+  if (parts.faces) json["faces"] = parts_json(receiver.mesh, receiver.mesh.faces(), parts.edges);
+  if (parts.polygons) json["polygons"] = parts_json(receiver.mesh, receiver.mesh.regions(), parts.edges);
   if (!parts.edges) return json;
   json["edges"] = edges_json(receiver.mesh);
   json["events"] = MeshJson::array();

@@ -59,6 +59,13 @@ Scene scene_file_with_warnings(const std::string& file) {
   return scene;
 }
 
+Scene shapes_file_with_warnings(const std::string& file) {
+  Scene scene = scene_file(file);
+  std::visit([](SceneFacts& facts) { facts.doubts.resize(facts.doubts.size() - facts.lighting_doubts); }, scene);
+  print_doubts(scene);
+  return scene;
+}
+
 SpaceScene space_scene_with_warnings(const std::string& file, const std::string& subject) {
   Scene scene = scene_file_with_warnings(file);
   if (auto* space = std::get_if<SpaceScene>(&scene)) return std::move(*space);
@@ -68,7 +75,7 @@ SpaceScene space_scene_with_warnings(const std::string& file, const std::string&
 
 void print_doubts(const Scene& scene) {
   constexpr std::size_t most = 10;
-  const auto& [source, unit, doubts] = facts(scene);
+  const auto& [source, unit, doubts, of_lighting] = facts(scene);
   for (std::size_t i = 0; i < std::min(most, doubts.size()); ++i) print_warning(source + ": " + doubts[i]);
   if (doubts.size() <= most) return;
   print_warning(counted(doubts.size() - most, "further doubt") + ", which 'gnomon check' tells");

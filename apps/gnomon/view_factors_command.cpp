@@ -183,7 +183,7 @@ ExitCode view_factors_command(Arguments arguments) {
   check_usage(options);
   if (options.out == "-") options.out.clear();
   bound_of(options.bound);
-  const Scene scene = scene_file_with_warnings(options.scene);
+  const Scene scene = shapes_file_with_warnings(options.scene);
   const auto* space = std::get_if<SpaceScene>(&scene);
   if (!space) throw UnsupportedError(facts(scene).source + ": view factors need a scene of dimension 3");
   const SceneBodies bodies = scene_bodies(*space);

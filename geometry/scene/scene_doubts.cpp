@@ -165,23 +165,37 @@ void doubt_two_materials(const SpaceScene& scene, std::vector<std::string>& doub
 }
 
 template <class SomeScene>
-std::vector<std::string> doubts_of_lists(const SomeScene& scene) {
+std::vector<std::string> doubts_of_blockers(const SomeScene& scene) {
+  std::vector<std::string> doubts;
+  if (scene.blockers.empty()) doubts.emplace_back("the scene has no blocker");
+  doubt_duplicates(scene.blockers, doubts);
+  return doubts;
+}
+
+template <class SomeScene>
+std::vector<std::string> doubts_of_lights(const SomeScene& scene) {
   std::vector<std::string> doubts;
   if (scene.lights.empty()) doubts.emplace_back("the scene has no light");
-  if (scene.blockers.empty()) doubts.emplace_back("the scene has no blocker");
   doubt_darkness(scene.lights, doubts);
-  doubt_duplicates(scene.blockers, doubts);
   return doubts;
 }
 
 }  // namespace
 
 std::vector<std::string> scene_doubts(const PlaneScene& scene) {
-  return doubts_of_lists(scene);
+  return doubts_of_blockers(scene);
 }
 
 std::vector<std::string> scene_doubts(const SpaceScene& scene) {
-  std::vector<std::string> doubts = doubts_of_lists(scene);
+  return doubts_of_blockers(scene);
+}
+
+std::vector<std::string> lighting_doubts(const PlaneScene& scene) {
+  return doubts_of_lights(scene);
+}
+
+std::vector<std::string> lighting_doubts(const SpaceScene& scene) {
+  std::vector<std::string> doubts = doubts_of_lights(scene);
   doubt_backs(scene, doubts);
   doubt_dark_receivers(scene, doubts);
   doubt_lights_in_solids(scene, doubts);

@@ -124,11 +124,14 @@ SceneText parsed(std::string_view text, const std::string& source) {
 Scene scene_of(const SceneText& text, const std::string& source, const std::filesystem::path& folder) {
   Scene scene = read_document(JsonNode(text.document, source), folder);
   std::vector<std::string> doubts = std::visit([](const auto& some) { return scene_doubts(some); }, scene);
+  std::vector<std::string> of_lighting = std::visit([](const auto& some) { return lighting_doubts(some); }, scene);
   std::visit(
       [&](SceneFacts& facts) {
         facts.source = source;
         if (text.has_mark) facts.doubts.emplace_back("the file begins with a byte-order mark, which is passed over");
         std::ranges::move(doubts, std::back_inserter(facts.doubts));
+        facts.lighting_doubts = of_lighting.size();
+        std::ranges::move(of_lighting, std::back_inserter(facts.doubts));
       },
       scene);
   return scene;

@@ -143,6 +143,7 @@ struct SceneFacts {
   std::string source;                    ///< the file as the user named it, or "default" for the embedded scene
   std::string length_unit = "m";         ///< the name of one of length_units
   std::vector<std::string> doubts = {};  ///< accepted, but worth a word: a sentence each, as `gnomon check` prints them
+  std::size_t lighting_doubts = 0;       ///< so many of them, the last, are of lights and materials alone
 };
 
 /// A checked scene file of "dimension" 3.

@@ -40,6 +40,10 @@ TEST(LightFlux, OfALinearLightGoesWithItsEmission) {
   expect_flux(LinearLight{a, b, {.shade = Shade{{1, 0, 0}, {-1, 0, 0}}}}, 3 * 2 * pi);
 }
 
+TEST(LightFlux, IsNotToldBeyondTheRangeOfDoubles) {
+  EXPECT_FALSE(light_flux(PointLight{{1, 2, 3}}, 1e308, metre));
+}
+
 TEST(LightFlux, KnowsTheUnitOfLength) {
   const LengthUnit centimetre = *length_unit_named("cm");
   const Light lamp = AreaLight{ConvexPolygon::from_points({{0, 0, 1}, {0, 2, 1}, {2, 2, 1}, {2, 0, 1}})};

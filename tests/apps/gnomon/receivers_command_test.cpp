@@ -74,6 +74,26 @@ TEST_F(ReceiversCommand, TellsArcsThatBoundAnUmbra) {
   EXPECT_GE(triple_edges, 2);
 }
 
+TEST_F(ReceiversCommand, TellsWhichEdgesBoundAFaceWhereAnArcAndItsChordHaveTheSameEnds) {
+  const Outcome run = gnomon("receivers examples/four_umbrae.scene.json --mesh faces,edges,polygons --json -");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json mesh = json::parse(run.out)["receivers"].at(0)["mesh"];
+  for (const char* parts : {"faces", "polygons"}) {
+    for (const json& part : mesh[parts]) {
+      ASSERT_EQ(part["edge_cycles"].size(), part["cycles"].size());
+      for (std::size_t c = 0; c < part["cycles"].size(); ++c) {
+        const json &cycle = part["cycles"][c], &edges = part["edge_cycles"][c];
+        ASSERT_EQ(edges.size(), cycle.size());
+        for (std::size_t k = 0; k < cycle.size(); ++k) {
+          const json& ends = mesh["edges"][edges[k].get<std::size_t>()]["vertices"];
+          const json from = cycle[k], to = cycle[(k + 1) % cycle.size()];
+          EXPECT_TRUE(ends == json({from, to}) || ends == json({to, from})) << parts;
+        }
+      }
+    }
+  }
+}
+
 TEST_F(ReceiversCommand, TellsTheMeshOnRequest) {
   const Outcome run = gnomon("receivers floor.scene.json --receiver floor --mesh faces,edges,polygons --json -");
   ASSERT_EQ(run.code, 0) << run.err;

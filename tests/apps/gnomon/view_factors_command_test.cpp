@@ -57,6 +57,19 @@ TEST_F(ViewFactorsCommand, TellsTheRestOfEachRowAsSky) {
   EXPECT_THAT(run.out, testing::Not(HasSubstr("floor,lid")));
 }
 
+TEST_F(ViewFactorsCommand, DoubtsNoLightsSinceTheyDoNotMatter) {
+  std::ifstream file(GNOMON_EXAMPLES "/shapiro.scene.json");
+  json scene = json::parse(file);
+  scene["lights"] = {{{"name", "lamp"}, {"shape", "point"}, {"position", {0, 0, -5}}, {"intensity", 0}}};
+  scene["blockers"].push_back(scene["blockers"][0]);
+  scene["blockers"].back()["name"] = "copy";
+  write("dark.scene.json", scene.dump());
+  EXPECT_THAT(gnomon("check dark.scene.json").out, AllOf(HasSubstr("strength is 0"), HasSubstr("its vertices are")));
+  const Outcome run = gnomon("view-factors dark.scene.json");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_THAT(run.err, AllOf(HasSubstr("its vertices are those"), testing::Not(HasSubstr("light"))));
+}
+
 TEST_F(ViewFactorsCommand, WritesJsonThatFollowsItsSchemaAndSurfacesForParaView) {
   const Outcome run = gnomon("view-factors shapiro.scene.json --twice --out f.csv --json f.json --vtk surfaces");
   ASSERT_EQ(run.code, 0) << run.err;
