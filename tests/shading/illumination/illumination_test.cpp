@@ -249,6 +249,48 @@ TEST(Illumination, OfASceneTwiceAsLargeIsTheSameToTheBit) {
   }
 }
 
+/// What is interpolated at a place of the ground.
+double interpolated_at(const IlluminationMesh& mesh, int order, const Point3& p) {
+  const auto turn = [](const Point3& a, const Point3& b, const Point3& c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+  };
+  for (const IlluminationFace& face : mesh.faces) {
+    const auto corner = [&](std::size_t k) { return mesh.points[face.corners[k]]; };
+    const double whole = turn(corner(0), corner(1), corner(2));
+    const std::array<double, 3> w{turn(p, corner(1), corner(2)) / whole, turn(corner(0), p, corner(2)) / whole,
+                                  turn(corner(0), corner(1), p) / whole};
+    if (std::min({w[0], w[1], w[2]}) >= 0) return interpolated(mesh, face, order, w);
+  }
+  return HUGE_VAL;
+}
+
+/// No edge of the lamp is parallel to one of the blocker, so all lines are of order 2, and none has to be cut along.
+TEST_P(Illuminates, ASmallShadowThatNoLineOfOrderOneBounds) {
+  const std::vector<IlluminationLight> lights = {
+      {{AreaLight{polygon({{-0.1, -0.07, 4}, {0.01, 0.12, 4}, {0.13, -0.02, 4}})}}, 100}};
+  for (const Point3 at : {Point3{0.3, 0.2, 0}, Point3{-1.7, 0.9, 0}, Point3{2.1, -1.3, 0}}) {
+    const Obstacles board{
+        {polygon({{at.x, at.y, 0.25}, {at.x + 0.05, at.y + 0.011, 0.26}, {at.x + 0.02, at.y + 0.06, 0.28}})}, {}};
+    IlluminationEffort effort;
+    effort.order = GetParam();
+    effort.tolerance = 0.02;
+    for (const IlluminationSplit split : {IlluminationSplit::none, IlluminationSplit::need, IlluminationSplit::all}) {
+      effort.split = split;
+      const Illumination found = illuminate(lights, board, Polygons{ground}, effort);
+      double worst = 0;
+      for (int i = -9; i <= 12; ++i) {
+        for (int j = -9; j <= 12; ++j) {
+          const Point3 p{at.x * (1 + 0.25 / 3.75) + i * 0.01, at.y * (1 + 0.25 / 3.75) + j * 0.01, 0};
+          const Irradiance exact = exact_sum(lights, board, ground, p);
+          worst = std::max(worst, std::fabs(exact.value - interpolated_at(found.meshes[0], effort.order, p)));
+        }
+      }
+      EXPECT_LT(worst, found.tolerance) << at.x << ", " << static_cast<int>(split);
+      EXPECT_EQ(found.meshes[0].unmet_faces(), 0u);
+    }
+  }
+}
+
 TEST(Illumination, TakesFewFacesUnderABoardThatNearlyTouches) {
   const IlluminationLight light{{square_lamp}, 1};
   const auto faces = [&](double height) {
