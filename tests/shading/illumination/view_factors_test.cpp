@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "gnomon/errors.h"
@@ -100,6 +101,35 @@ TEST(ViewFactors, BehindASquareAreThoseOfARuleOnItsExactFaces) {
     EXPECT_NEAR(found.value, expected, found.error_bound + 1e-15) << c.x0;
     EXPECT_LT(found.error_bound, 1e-12);
   }
+}
+
+/// By the definition: between the middles of many small rectangles of both, where the fin lets them see each other.
+double past_a_fin() {
+  constexpr int n = 28;
+  double sum = 0;
+  for (int i = 0; i < n * n; ++i) {
+    const double x = -1 + (i / n + 0.5) * 2 / n, y = 2 + (i % n + 0.5) / n;
+    for (int k = 0; k < n * n; ++k) {
+      const double u = -1 + (k / n + 0.5) * 2 / n, z = (k % n + 0.5) * 2 / n;
+      // Where the way crosses the fin's plane x = 0, the fin is the triangle 2 y + z < 2.
+      const double share = (0 - x) / (u - x);
+      if (share > 0 && share < 1 && 2 * y * (1 - share) + z * share < 2) continue;
+      const double square = (x - u) * (x - u) + y * y + z * z;
+      sum += y * z / (square * square);
+    }
+  }
+  return sum / (n * n) / (n * n) * 4 / std::numbers::pi;
+}
+
+/// The fin touches the pane along an edge and ends on its lower corner line; some of its shadow's boundary lies on
+/// lines of sight that end where it does.
+TEST(ViewFactors, BehindAFinThatStandsOnTheOtherSurfaceKnowWhereItTouches) {
+  const ViewSurface pane{ConvexPolygon::from_points({{-1, 0, 0}, {-1, 0, 2}, {1, 0, 2}, {1, 0, 0}})};
+  const ViewSurface patch{rectangle_at(-1, 2, 1, 3, 0, factors::Facing::up)};
+  const auto fin = ConvexPolygon::from_points({{0, 0, 0}, {0, 1, 0}, {0, 0, 2}});
+  const ViewFactor found = factor(all_of({pane, patch}, {fin}, 1e-10), 1, 0);
+  EXPECT_NEAR(found.value, past_a_fin(), 2e-4);
+  EXPECT_LT(found.error_bound, 1e-10);
 }
 
 TEST(ViewFactors, BehindABoardThatHidesAllAreLeftOut) {
