@@ -17,7 +17,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <limits>
+#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -88,6 +89,26 @@ struct IlluminationMesh {
   double flux() const;
   /// The integral of the faces' errors: what the flux may be off by.
   double flux_error() const;
+};
+
+/// The irradiance that a mesh interpolates, as a function of the place.
+///
+/// Method: a grid over the mesh, of about as many cells as faces, knows which faces reach into each cell.
+class IlluminationField {
+ public:
+  /// Takes what it needs of the mesh, which may be empty.
+  explicit IlluminationField(const IlluminationMesh& mesh);
+
+  /// Of all lights together [W/m²], with the error of the face that is asked; none outside the mesh. The place is
+  /// taken along the axis that is nearest to the mesh's normal. What lies outside by rounding alone is in the face.
+  /// Exactness: off from what the points' irradiance interpolates by less than 1e-12 of the largest of them;
+  /// `error_bound`
+  ///            is the face's error, an estimate.
+  std::optional<Irradiance> at(const Point3& place) const;
+
+ private:
+  struct Faces;
+  std::shared_ptr<const Faces> faces_;
 };
 
 struct Illumination {

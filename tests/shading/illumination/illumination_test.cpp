@@ -312,6 +312,59 @@ TEST(IlluminationDegenerate, TellsOfFacesAroundALightOnTheReceiver) {
   EXPECT_LT(found.meshes[0].unmet_area(), 0.5);
 }
 
+TEST(IlluminationField, IsWhatTheFaceAroundAPlaceInterpolates) {
+  const std::vector<IlluminationLight> lights = {{{square_lamp}, 1}, {{PointLight{{3, -3, 2}}}, 0.1}};
+  const Polygons upright{ground, polygon({{-4, 4, 0}, {4, 4, 0}, {4, 4, 3}, {-4, 4, 3}})};
+  for (const int order : {1, 2}) {
+    IlluminationEffort effort;
+    effort.order = order;
+    const Illumination found = illuminate(lights, furniture, upright, effort);
+    const IlluminationField floor(found.meshes[0]), wall(found.meshes[1]);
+    std::mt19937 engine(20261201);
+    std::uniform_real_distribution<double> across(-4, 4);
+    std::size_t of_edges = 0;
+    for (int i = 0; i < 3000; ++i) {
+      const Point3 p{across(engine), across(engine), 0};
+      const auto here = floor.at(p);
+      ASSERT_TRUE(here);
+      // At a jump either face may be asked, but for the first found in the mesh's order.
+      of_edges += std::fabs(here->value - interpolated_at(found.meshes[0], order, p)) > 1e-12 * found.largest;
+      EXPECT_LE(here->error_bound, found.tolerance);
+    }
+    EXPECT_LE(of_edges, 1u);
+    for (const IlluminationFace& face : found.meshes[1].faces) {
+      const std::array<double, 3> w{0.5, 0.375, 0.125};
+      const auto here = wall.at(place(found.meshes[1], face, w));
+      ASSERT_TRUE(here);
+      EXPECT_NEAR(here->value, interpolated(found.meshes[1], face, order, w), 1e-9 * found.largest);
+    }
+  }
+}
+
+TEST(IlluminationField, IsNowhereOutsideTheReceiverAndEverywhereOnItsBorder) {
+  const double turn = std::numbers::sqrt3 / 2;
+  const ConvexPolygon turned =
+      polygon({{1e3, 0, 0}, {1e3 + turn, 0.5, 0}, {1e3 + turn - 0.5, 0.5 + turn, 0}, {1e3 - 0.5, turn, 0}});
+  const Illumination found =
+      illuminate(std::vector<IlluminationLight>{{{PointLight{{1e3, 1, 1}}}, 1}}, {}, Polygons{turned}, {});
+  const IlluminationField field(found.meshes[0]);
+  const auto points = turned.points();
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Point3 a = points[k], b = points[(k + 1) % 4];
+    for (int i = 0; i <= 64; ++i) {
+      const auto on = [&](double outward) {
+        return Point3{a.x + (b.x - a.x) * i / 64 + outward * (b.y - a.y),
+                      a.y + (b.y - a.y) * i / 64 - outward * (b.x - a.x), 0};
+      };
+      EXPECT_TRUE(field.at(on(0)));
+      EXPECT_FALSE(field.at(on(1e-6)));
+      EXPECT_FALSE(field.at(on(1e6)));
+    }
+  }
+  EXPECT_FALSE(field.at({std::nan(""), 0, 0}));
+  EXPECT_FALSE(IlluminationField(IlluminationMesh{}).at({0, 0, 0}));
+}
+
 TEST(IlluminationDegenerate, OfNothingIsDark) {
   const IlluminationLight behind{{PointLight{{0, 0, -1}}}, 1};
   const Illumination none = illuminate({}, {}, {&ground, 1}, {});
