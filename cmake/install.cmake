@@ -16,7 +16,7 @@ install(FILES cmake/gnomon.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-comple
 install(DIRECTORY schemas DESTINATION ${CMAKE_INSTALL_DATADIR}/gnomon FILES_MATCHING PATTERN "*.schema.json")
 install(FILES viz/vtk/gnomon_reader.py DESTINATION ${CMAKE_INSTALL_DATADIR}/gnomon/paraview)
 # Pages link to each other and to the examples as they lie in the sources.
-set(gnomon_example_files FILES_MATCHING PATTERN "*.scene.json" PATTERN "*.goals.json" PATTERN "*.paint.json" PATTERN "*.csv" PATTERN "*.stl" PATTERN "*.obj" PATTERN "*.license")
+set(gnomon_example_files FILES_MATCHING PATTERN "*.scene.json" PATTERN "*.goals.json" PATTERN "*.paint.json" PATTERN "*.csv" PATTERN "*.stl" PATTERN "*.obj" PATTERN "*.mtl" PATTERN "*.license")
 install(DIRECTORY examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/gnomon/examples ${gnomon_example_files})
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} ${gnomon_example_files} PATTERN "*.cpp")
 install(FILES README.md CHANGELOG.md CITATION.cff CONTRIBUTING.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -68,6 +68,9 @@ ExitCode sunlight_command(Arguments arguments);
 /// `gnomon fit`: intensities of lights, or a material, from wanted brightness.
 ExitCode fit_command(Arguments arguments);
 
+/// `gnomon import`: a scene of an OBJ file and its materials.
+ExitCode import_command(Arguments arguments);
+
 /// `gnomon render`: a picture of a scene or of a folder written by `gnomon shadow`.
 ExitCode render_command(Arguments arguments);
 

@@ -232,8 +232,9 @@ class ObjLines {
   }
 
   void add_material() {
-    if (material_.empty() || std::ranges::find(soup_.materials, material_) != soup_.materials.end()) return;
-    soup_.materials.push_back(material_);
+    const auto known = std::ranges::find(soup_.materials, material_);
+    soup_.facet_materials.push_back(static_cast<std::uint32_t>(known - soup_.materials.begin()));
+    if (known == soup_.materials.end()) soup_.materials.push_back(material_);
   }
 
   MeshLines lines_;

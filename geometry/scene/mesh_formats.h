@@ -18,7 +18,8 @@ struct PolygonSoup {
   std::uint64_t first_number = 0;                  ///< how the file calls its first vertex
   std::vector<std::string> doubts;                 ///< what was passed over, in words that follow the file's name
   std::vector<std::string> material_files;         ///< OBJ: as written
-  std::vector<std::string> materials;              ///< OBJ: those of facets
+  std::vector<std::string> materials;              ///< OBJ: those of facets; "" of facets without one
+  std::vector<std::uint32_t> facet_materials;      ///< OBJ: of each facet, the number of its material
   std::vector<Point3> normals;                     ///< OBJ: as written; zero where that is no vector
   /// OBJ: of every corner of every facet, the number of its normal, or one that no normal has.
   std::vector<std::vector<std::uint32_t>> corner_normals;

@@ -93,12 +93,38 @@ void doubt_emission(const PolygonSoup& soup, const std::filesystem::path& folder
   }
 }
 
-PolygonSoup soup_of(const JsonNode& node, const MeshSource& source, const std::filesystem::path& folder) {
+/// Leaves the facets of one of an OBJ file's materials, "" being those before any `usemtl`.
+void keep_material(PolygonSoup& soup, const JsonNode& node) {
+  const std::string wanted = node.string("the name of a material in the OBJ file");
+  const auto known = std::ranges::find(soup.materials, wanted);
+  if (known == soup.materials.end()) {
+    std::string all;
+    for (const std::string& material : soup.materials) all += (all.empty() ? "" : ", ") + word_text(material);
+    node.refuse(word_text(wanted), all.empty() ? "no such key: the file has no materials" : "one of " + all);
+  }
+  const auto number = static_cast<std::uint32_t>(known - soup.materials.begin());
+  PolygonSoup kept;
+  for (std::size_t f = 0; f < soup.facets.size(); ++f) {
+    if (soup.facet_materials[f] != number) continue;
+    kept.facets.push_back(std::move(soup.facets[f]));
+    kept.lines.push_back(soup.lines[f]);
+    kept.corner_normals.push_back(std::move(soup.corner_normals[f]));
+  }
+  soup.facets = std::move(kept.facets);
+  soup.lines = std::move(kept.lines);
+  soup.corner_normals = std::move(kept.corner_normals);
+  soup.materials = {wanted};
+  soup.facet_materials.assign(soup.facets.size(), 0);
+}
+
+PolygonSoup soup_of(const JsonNode& node, const std::optional<JsonNode>& material, const MeshSource& source,
+                    const std::filesystem::path& folder) {
   const std::filesystem::path path = checked_path(node, source.file);
   const SoupReader reader = soup_reader(node, path);
   const FileText text = file_text(folder / path, largest_mesh_file, FileKind::regular);
   if (!text.problem.empty()) source.refuse("beside the scene", text.problem, "a mesh file");
   PolygonSoup soup = reader(text.text, source);
+  if (material) keep_material(soup, *material);
   doubt_emission(soup, (folder / path).parent_path(), soup.doubts);
   merge_vertices(soup);
   return soup;
@@ -152,7 +178,7 @@ std::string zero_normals_doubt(const std::vector<std::vector<Point3>>& normals) 
 Mesh read_mesh(const SceneElement& element, const std::filesystem::path& folder, SpaceScene& scene, MeshUse use) {
   const JsonNode node = element.node.required("file", "the name of a mesh file");
   const MeshSource source{node, node.string("the name of a mesh file")};
-  PolygonSoup soup = soup_of(node, source, folder);
+  PolygonSoup soup = soup_of(node, element.node.optional("usemtl"), source, folder);
   CheckedFacets checked = checked_facets(soup, source, scene.length_unit);
   if (checked.facets.empty()) source.refuse("the whole file", "no facet with an area", "at least one");
   add_doubts(element.title + ": in " + word_text(source.file), std::move(soup.doubts), scene.doubts);

@@ -119,7 +119,7 @@ void allow_shape_keys(const SceneElement& element, std::initializer_list<std::st
 BlockerShape read_shape(const SceneElement& element, MeshUse use, const std::filesystem::path& folder,
                         SpaceScene& scene) {
   if (element.shape == "mesh") {
-    allow_shape_keys(element, {"file", "normals", "crease"}, use);
+    allow_shape_keys(element, {"file", "usemtl", "normals", "crease"}, use);
     return read_mesh(element, folder, scene, use);
   }
   if (element.shape == "polytope") {

@@ -1,0 +1,164 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <random>
+
+#include "geometry/scene/material_file.h"
+#include "tests/apps/gnomon/program_fixture.h"
+
+namespace gnomon {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// A table under a lamp, and a floor, in three materials.
+class ImportCommand : public Program {
+ protected:
+  ImportCommand() {
+    write("model.mtl",
+          "newmtl wood\nKd .5 .25 .125\nKs .25\nNs 19.6\nmap_Kd a.png\nmap_Kd b.png\n"
+          "newmtl lamp\r\nKe 10 5 10 # warm\nnewmtl floor\nKd 0.5\n");
+    write("model.obj", std::string("mtllib model.mtl\n") + floor + table + lamp);
+  }
+
+  json imported(const std::string& options = "") {
+    const Outcome run = gnomon("import model.obj --out scene.json --quiet " + options);
+    EXPECT_EQ(run.code, 0) << run.err;
+    return read_json("scene.json");
+  }
+
+  const std::string floor = "v -4 -4 0\nv 4 -4 0\nv 4 4 0\nv -4 4 0\nusemtl floor\nf 1 2 3 4\n";
+  const std::string table = "v -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\nusemtl wood\nf -4 -3 -2 -1\n";
+  const std::string lamp = "v 0.1 0 3\nv 0 1 3\nv 1 0 3\nusemtl lamp\nf 9/1 10//2 11\n";
+};
+
+TEST_F(ImportCommand, MakesLampsLightsAndAllElseBlockers) {
+  const json scene = imported();
+  ASSERT_EQ(scene["lights"].size(), 1u);
+  EXPECT_EQ(scene["lights"][0], json::parse(R"({"name": "lamp", "shape": "polygon", "radiance": 10.0,
+    "vertices": [[0.1, 0.0, 3.0], [0.0, 1.0, 3.0], [1.0, 0.0, 3.0]], "color": [1.0, 0.5, 1.0]})"));
+  ASSERT_EQ(scene["blockers"].size(), 2u);
+  EXPECT_EQ(scene["blockers"][1], json::parse(R"({"name": "wood", "shape": "mesh", "file": "model.obj",
+    "usemtl": "wood", "material": "wood"})"));
+  EXPECT_EQ(scene["materials"][1], json::parse(R"({"name": "wood", "model": "blinn", "diffuse": [0.5, 0.25, 0.125],
+    "specular": 0.25, "exponent": 20})"));
+  EXPECT_EQ(scene["length_unit"], "m");
+  EXPECT_THAT(scene["receivers"], IsEmpty());
+}
+
+TEST_F(ImportCommand, GivesWhatTheSameSceneByHandGives) {
+  imported("--receiver floor");
+  json by_hand = read_json("scene.json");
+  const auto polygon = [](const char* name, const char* vertices) {
+    return json{{"name", name}, {"shape", "polygon"}, {"vertices", json::parse(vertices)}};
+  };
+  by_hand["blockers"] = {polygon("wood", "[[-1,-1,1],[1,-1,1],[1,1,1],[-1,1,1]]")};
+  by_hand["receivers"] = {polygon("floor", "[[-4,-4,0],[4,-4,0],[4,4,0],[-4,4,0]]")};
+  write("hand.scene.json", by_hand.dump());
+  const auto areas = [&](const std::string& scene) {
+    return json::parse(gnomon("receivers " + scene + " --json -").out)["receivers"].at(0)["areas"];
+  };
+  EXPECT_EQ(areas("scene.json"), areas("hand.scene.json"));
+  EXPECT_GT(areas("scene.json")["penumbra"]["double"], 1.0);
+}
+
+TEST_F(ImportCommand, TakesUnitAxisAndLightsAsTold) {
+  const json scene = imported("--unit mm --up y --light wood=2.5 --receiver floor");
+  EXPECT_EQ(scene["length_unit"], "mm");
+  EXPECT_EQ(scene["up"], "y");
+  EXPECT_EQ(scene["lights"].size(), 2u);
+  EXPECT_EQ(scene["lights"][0]["radiance"], 2.5);
+  EXPECT_EQ(scene["receivers"].size(), 1u);
+}
+
+TEST_F(ImportCommand, TellsWhatItPassesOver) {
+  write("model.obj", "mtllib model.mtl nix.mtl\n" + floor + table + lamp + "usemtl glass\nf 1 2 5\nl 1 2\nhum 1\n");
+  const Outcome run = gnomon("import model.obj --out scene.json");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_THAT(run.err,
+              AllOf(HasSubstr("passed over 2 lines that begin with \"map_Kd\""),
+                    HasSubstr("nix.mtl: found no such file"), HasSubstr("material \"glass\""), HasSubstr("hum")));
+  EXPECT_THAT(run.out, HasSubstr("1 light, 3 blockers, 0 receivers"));
+}
+
+TEST_F(ImportCommand, KeepsNamesThatScenesDoNotAllowApart) {
+  write("model.obj", "usemtl a/b\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nusemtl a\\b\nf 3 2 1\nf 1 2 3\n");
+  write("more.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nusemtl x\nf 3 2 1\n");
+  const json scene = imported();
+  EXPECT_EQ(scene["blockers"][0]["name"], "a_b");
+  EXPECT_EQ(scene["blockers"][0]["usemtl"], "a/b");
+  EXPECT_EQ(scene["blockers"][1]["name"], "a_b 2");
+  ASSERT_EQ(gnomon("import more.obj --out more.json").code, 0);
+  EXPECT_EQ(read_json("more.json")["blockers"][0]["usemtl"], "");
+  EXPECT_THAT(gnomon("check more.json").out, HasSubstr("1 facet"));
+}
+
+TEST_F(ImportCommand, RefusesWhatItCannotUse) {
+  const auto expect = [&](const std::string& words, int code, const std::string& text) {
+    const Outcome run = gnomon("import " + words);
+    EXPECT_EQ(run.code, code) << words << run.err;
+    EXPECT_THAT(run.err, HasSubstr(text)) << words;
+  };
+  expect("model.gltf --out s.json", 4, "expected .obj");
+  expect("nix.obj --out s.json", 3, "no such file");
+  expect("model.obj --out model.obj", 2, "model.obj");
+  expect("model.obj --out s.json --unit furlong", 2, "expected m, mm");
+  expect("model.obj --out s.json --up x", 2, "expected y or z");
+  expect("model.obj --out s.json --light wod=3", 2, "the nearest is 'wood'");
+  expect("model.obj --out s.json --light wood", 2, "MATERIAL=RADIANCE");
+  expect("model.obj --out s.json --light wood=-3", 2, "above 0");
+  expect("model.obj --out s.json --light wood=nan", 2, "radiance");
+  expect("model.obj --out s.json --receiver lamp", 2, "are lights");
+  expect("model.obj --out sub/s.json", 2, "below it");
+  write("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n");
+  expect("bad.obj --out s.json", 3, "bad.obj");
+  write("empty.obj", "v 0 0 0\n");
+  expect("empty.obj --out s.json", 3, "no facet");
+  write("crossed.obj", "v 0 0 0\nv 4 4 0\nv 4 0 0\nv 0 4 0\nf 1 2 3 4\n");
+  expect("crossed.obj --out s.json", 3, "crossed.obj");
+  EXPECT_EQ(gnomon("check s.json").code, 3);  // nothing was written
+}
+
+TEST_F(ImportCommand, AMaterialThatNoFacetHasIsRefusedInAScene) {
+  json scene = imported();
+  scene["blockers"][1]["usemtl"] = "wod";
+  write("wrong.json", scene.dump());
+  const Outcome run = gnomon("check wrong.json");
+  EXPECT_EQ(run.code, 3);
+  EXPECT_THAT(run.err, AllOf(HasSubstr("/blockers/1/usemtl"), HasSubstr("\"floor\", \"wood\", \"lamp\"")));
+}
+
+TEST(MaterialFile, TakesFiniteNumbersFromZeroOnAndCountsTheRest) {
+  const MaterialFile file = material_file(
+      "\xef\xbb\xbf"
+      "Kd 1 1 1\nnewmtl two words\nKd 0.1\nKs nan 0 0\nKe -1 0 0\nNs 1e3\nd 0.5\nKd 1 2\n");
+  ASSERT_EQ(file.materials.size(), 1u);
+  const FileMaterial& material = file.materials.at("two words");
+  EXPECT_EQ(material.diffuse, (std::array{0.1, 0.1, 0.1}));
+  EXPECT_FALSE(material.specular);
+  EXPECT_FALSE(material.emission);
+  EXPECT_EQ(material.exponent, 1000);
+  EXPECT_EQ(file.passed_over, (std::map<std::string, std::size_t>{{"Kd", 2}, {"Ks", 1}, {"Ke", 1}, {"d", 1}}));
+}
+
+TEST(MaterialFile, SurvivesAnyText) {
+  std::mt19937 engine(20261201);
+  const std::string alphabet = "newmtl KeKdKsNs 0123456789.eE+-#\\\r\n\t\0\xff";
+  std::uniform_int_distribution<std::size_t> letter(0, alphabet.size() - 1);
+  for (int i = 0; i < 2000; ++i) {
+    std::string text = "newmtl a\n";
+    for (int k = 0; k < 100; ++k) text += alphabet[letter(engine)];
+    for (const auto& [name, material] : material_file(text).materials) {
+      for (const auto& v : {material.emission, material.diffuse, material.specular}) {
+        EXPECT_TRUE(!v || ((*v)[0] >= 0 && (*v)[1] >= 0 && (*v)[2] >= 0));
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gnomon
