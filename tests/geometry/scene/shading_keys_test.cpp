@@ -156,9 +156,9 @@ const std::string obj_vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
 TEST(SmoothnessKeys, ThatDoNothingAreDoubted) {
   const std::string obj = obj_vertices + "f 1 2 3\n";
   const auto is_doubted = testing::Contains(HasSubstr("blocker \"m\": its \"crease\" does nothing"));
-  EXPECT_THAT(scene_doubts(mesh_scene(obj, "flat", ", \"crease\": 40")), is_doubted);
-  EXPECT_THAT(scene_doubts(mesh_scene(obj, "area", ", \"crease\": 40")), testing::Not(is_doubted));
-  EXPECT_THAT(scene_doubts(mesh_scene(obj, "flat")), testing::Not(is_doubted));
+  EXPECT_THAT(lighting_doubts(mesh_scene(obj, "flat", ", \"crease\": 40")), is_doubted);
+  EXPECT_THAT(lighting_doubts(mesh_scene(obj, "area", ", \"crease\": 40")), testing::Not(is_doubted));
+  EXPECT_THAT(lighting_doubts(mesh_scene(obj, "flat")), testing::Not(is_doubted));
 }
 
 TEST(AmbientLight, ThatNothingReflectsIsDoubted) {
@@ -166,7 +166,7 @@ TEST(AmbientLight, ThatNothingReflectsIsDoubted) {
     const std::string text = R"({"gnomon": 1, "dimension": 3, "lights": [], "blockers": [], "ambient_radiance": 2,
       "materials": [{"name": "chalk")" +
                              material + "}]}";
-    return scene_doubts(std::get<SpaceScene>(parse_scene(text, "test", ".")));
+    return lighting_doubts(std::get<SpaceScene>(parse_scene(text, "test", ".")));
   };
   EXPECT_THAT(doubts(""), testing::Contains(HasSubstr("\"ambient_radiance\": no material has an \"ambient\" share")));
   EXPECT_THAT(doubts(R"(, "ambient": 0.5)"), testing::Not(testing::Contains(HasSubstr("ambient"))));
