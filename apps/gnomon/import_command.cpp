@@ -16,6 +16,7 @@
 #include "apps/gnomon/text.h"
 #include "geometry/scene/file_text.h"
 #include "geometry/scene/material_file.h"
+#include "geometry/scene/mesh_facets.h"
 #include "geometry/scene/mesh_formats.h"
 #include "geometry/scene/mesh_text.h"
 #include "gnomon/errors.h"
@@ -56,6 +57,7 @@ void add_options(CommandLine& app, ImportOptions& options) {
 /// A model as its files have it.
 struct ImportedModel {
   PolygonSoup soup;
+  CheckedFacets checked;
   std::map<std::string, FileMaterial> materials;
 };
 
@@ -80,7 +82,7 @@ std::map<std::string, FileMaterial> materials_of(const PolygonSoup& soup, const 
   return all;
 }
 
-ImportedModel imported_model(const std::filesystem::path& file) {
+ImportedModel imported_model(const std::filesystem::path& file, const std::string& unit) {
   const std::string ending = lower_case(file.extension().string());
   if (ending != ".obj") {
     throw UnsupportedError(file.string() + ": found a file that ends in " + word_text(ending) +
@@ -92,9 +94,13 @@ ImportedModel imported_model(const std::filesystem::path& file) {
   const nlohmann::json document;
   const std::string source = file.string();
   const JsonNode node(document, source);
-  ImportedModel model{obj_soup(text.text, {node, file.filename().string()}), {}};
-  for (const std::string& doubt : model.soup.doubts) {
-    if (!doubt.empty()) print_warning(source + ": " + doubt);
+  const MeshSource mesh{node, file.filename().string()};
+  ImportedModel model{obj_soup(text.text, mesh), {}, {}};
+  model.checked = checked_facets(model.soup, mesh, unit);
+  for (const std::vector<std::string>& doubts : {model.soup.doubts, model.checked.doubts}) {
+    for (const std::string& doubt : doubts) {
+      if (!doubt.empty()) print_warning(source + ": " + doubt);
+    }
   }
   if (model.soup.facets.empty()) throw SceneError(source + ": found no facet; expected a line that begins with f");
   model.materials = materials_of(model.soup, file.parent_path());
@@ -202,13 +208,13 @@ class ImportedScene {
   void add_lights(std::uint32_t material, const std::array<double, 3>& emission) {
     const double most = *std::ranges::max_element(emission);
     const std::array<double, 3> color{emission[0] / most, emission[1] / most, emission[2] / most};
-    for (std::size_t f = 0; f < model_.soup.facets.size(); ++f) {
-      if (model_.soup.facet_materials[f] != material) continue;
+    for (std::size_t f = 0; f < model_.checked.facets.size(); ++f) {
+      if (model_.soup.facet_materials[model_.checked.numbers[f]] != material) continue;
       Json light = {{"name", element_name(model_.soup.materials[material], light_names_)},
                     {"shape", "polygon"},
                     {"vertices", Json::array()},
                     {"radiance", most}};
-      for (const std::uint32_t v : model_.soup.facets[f]) {
+      for (const std::uint32_t v : model_.checked.facets[f]) {
         const Point3& p = model_.soup.vertices[v];
         light["vertices"].push_back({p.x, p.y, p.z});
       }
@@ -265,7 +271,7 @@ ExitCode import_command(Arguments arguments) {
   require_unread("--out", options.out, {options.file});
   const std::string mesh_file = options.out == "-" ? std::filesystem::path(options.file).filename().string()
                                                    : name_beside(options.file, options.out);
-  const ImportedModel model = imported_model(options.file);
+  const ImportedModel model = imported_model(options.file, options.unit);
   const ImportedScene scene(model, options, mesh_file);
   const std::string text = scene_lines(scene.document());
   if (options.out == "-") {

@@ -85,6 +85,19 @@ TEST_F(ImportCommand, TellsWhatItPassesOver) {
   EXPECT_THAT(run.out, HasSubstr("1 light, 3 blockers, 0 receivers"));
 }
 
+TEST_F(ImportCommand, LeavesFacetsOfLampsWithoutAreaOutAndNamesLinesOfWrongOnes) {
+  write("model.obj", "mtllib model.mtl\n" + floor + table + lamp + "f 9 9 10\nf 9 10 10 11\n");
+  const Outcome run = gnomon("import model.obj --out scene.json");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("no area"));
+  EXPECT_EQ(read_json("scene.json")["lights"].size(), 2u);
+  write("model.obj",
+        "mtllib model.mtl\n" + floor + table + lamp + "v 4 4 0\nv 4 0 0\nv 0 4 0\nv 0 0 0\nf 12 13 14 15\n");
+  const Outcome wrong = gnomon("import model.obj --out scene.json");
+  EXPECT_EQ(wrong.code, 3);
+  EXPECT_THAT(wrong.err, AllOf(HasSubstr("model.obj"), HasSubstr("line 23")));
+}
+
 TEST_F(ImportCommand, KeepsNamesThatScenesDoNotAllowApart) {
   write("model.obj", "usemtl a/b\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nusemtl a\\b\nf 3 2 1\nf 1 2 3\n");
   write("more.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nusemtl x\nf 3 2 1\n");
