@@ -7,11 +7,22 @@
 
 #include "geometry/numbers/orientation.h"
 #include "geometry/numbers/place_key.h"
+#include "geometry/numbers/vector3.h"
 
 namespace gnomon::illumination {
 namespace {
 
 using DirectedSide = std::pair<PlaceKey, PlaceKey>;
+
+ExactVector normal_of_receiver(const ConvexPolygon& receiver) {
+  const auto corner = [&](std::size_t k) { return exact(receiver.points()[receiver.corners()[k]]); };
+  return cross(corner(1) - corner(0), corner(2) - corner(0));
+}
+
+/// The two sides of one polygon run along all edges in opposite directions, too.
+bool have_one_front(const ConvexPolygon& receiver, const ConvexPolygon& other) {
+  return dot(normal_of_receiver(receiver), normal_of_receiver(other)) > 0;
+}
 
 bool is_in_plane_of(const ConvexPolygon& receiver, const ConvexPolygon& other) {
   const auto corner = [&](std::size_t k) { return receiver.points()[receiver.corners()[k]]; };
@@ -39,7 +50,9 @@ std::vector<std::vector<std::uint32_t>> coplanar_groups(std::span<const ConvexPo
     if (others == along.end()) continue;
     for (const std::uint32_t r : members) {
       for (const std::uint32_t other : others->second) {
-        if (is_in_plane_of(receivers[r], receivers[other])) sets.union_set(r, other);
+        const bool are_one_wall =
+            is_in_plane_of(receivers[r], receivers[other]) && have_one_front(receivers[r], receivers[other]);
+        if (are_one_wall) sets.union_set(r, other);
       }
     }
   }

@@ -44,10 +44,13 @@ const Obstacles furniture{{block({-2, -1, 0}, {-1, 1, 1}), block({-1, 1, 0}, {0,
 Irradiance exact_sum(std::span<const IlluminationLight> lights, const Obstacles& obstacles,
                      const ConvexPolygon& receiver, const Point3& p) {
   std::vector<Irradiance> parts;
+  const auto points = receiver.points();
+  const double turn = (points[1].x - points[0].x) * (points[2].y - points[0].y) -
+                      (points[1].y - points[0].y) * (points[2].x - points[0].x);
   for (const IlluminationLight& light : lights) {
     for (const Light& part : light.parts) {
       LightIrradiance irradiance(part, light.strength, PreparedObstacles(obstacles));
-      parts.push_back(irradiance.received({p, facet_front(receiver)}, {0, 0, 1}));
+      parts.push_back(irradiance.received({p, facet_front(receiver)}, {0, 0, turn > 0 ? 1.0 : -1.0}));
     }
   }
   return total_irradiance(parts);
@@ -172,6 +175,23 @@ TEST(Illumination, HasNoCornerInsideAnothersEdgeAcrossReceiversOfOneWall) {
           << edge.first[0] << ',' << edge.first[1] << " to " << edge.second[0] << ',' << edge.second[1];
     }
     EXPECT_NEAR(found.meshes[0].area() + found.meshes[1].area(), 64, 1e-12);
+  }
+}
+
+TEST(Illumination, HasBothSidesOfAReceiverAndOfItsNeighbour) {
+  const Point3 a{-2, -2, 0}, b{2, -2, 0}, c{2, 2, 0}, d{-2, 2, 0}, e{4, -2, 0}, f{4, 2, 0};
+  const Polygons sides{polygon({a, b, c, d}), polygon({d, c, b, a}), polygon({b, e, f, c}), polygon({c, f, e, b})};
+  const std::vector<IlluminationLight> lights = {{{square_lamp}, 1}, {{PointLight{{0.5, 0.25, -3}}}, 2}};
+  const Illumination found = illuminate(lights, {{block({-1, -1, 1}, {1, 0, 2})}, {}}, sides, {});
+  const std::array<double, 4> areas{16, 16, 8, 8};
+  for (std::size_t r = 0; r < 4; ++r) {
+    EXPECT_NEAR(found.meshes[r].area(), areas[r], 1e-9) << r;
+    EXPECT_EQ(found.meshes[r].unmet_faces(), 0u);
+    const Irradiance exact = exact_sum(lights, {{block({-1, -1, 1}, {1, 0, 2})}, {}}, sides[r], sides[r].points()[0]);
+    const auto told = IlluminationField(found.meshes[r]).at(sides[r].points()[0]);
+    ASSERT_TRUE(told);
+    EXPECT_NEAR(told->value, exact.value, found.tolerance);
+    EXPECT_GT(told->value, 0);
   }
 }
 
