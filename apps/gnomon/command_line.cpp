@@ -80,6 +80,11 @@ bool has_unknown_option(const CLI::App& app) {
   return std::any_of(words.begin(), words.end(), [](const std::string& word) { return word.starts_with("--"); });
 }
 
+/// An empty text is a variable that a script forgot to set, not a wish for the default.
+std::string refuse_empty(const std::string& value) {
+  return value.empty() ? "is empty" : "";
+}
+
 }  // namespace
 
 CommandLine::CommandLine(const std::string& description, const std::string& name)
@@ -90,9 +95,12 @@ CommandLine::~CommandLine() = default;
 
 void CommandLine::add_text(const std::string& name, std::string& text, const std::string& type, const std::string& help,
                            bool is_required) {
-  // An empty text is a variable that a script forgot to set, not a wish for the default.
-  const auto refuse_empty = [](const std::string& value) { return std::string(value.empty() ? "is empty" : ""); };
   app_->add_option(name, text, one_line(help))->type_name(type)->check(refuse_empty)->required(is_required);
+}
+
+void CommandLine::add_texts(const std::string& name, std::vector<std::string>& texts, const std::string& type,
+                            const std::string& help) {
+  app_->add_option(name, texts, one_line(help))->type_name(type)->check(refuse_empty)->required();
 }
 
 void CommandLine::add_flag(const std::string& name, bool& flag, const std::string& help) {

@@ -30,6 +30,9 @@ class CommandLine {
   /// An option or positional argument with a text that must not be empty; `type` is how help calls the text.
   void add_text(const std::string& name, std::string& text, const std::string& type, const std::string& help,
                 bool is_required);
+  /// A positional argument that may be repeated, and must be there.
+  void add_texts(const std::string& name, std::vector<std::string>& texts, const std::string& type,
+                 const std::string& help);
   void add_flag(const std::string& name, bool& flag, const std::string& help);
   /// One that may be followed by '=' and a text; without it the text is "true".
   void add_flag(const std::string& name, std::string& text, const std::string& help);

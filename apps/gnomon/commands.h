@@ -68,7 +68,7 @@ ExitCode sunlight_command(Arguments arguments);
 /// `gnomon fit`: intensities of lights, or a material, from wanted brightness.
 ExitCode fit_command(Arguments arguments);
 
-/// `gnomon import`: a scene of an OBJ file and its materials.
+/// `gnomon import`: a scene of models and their materials.
 ExitCode import_command(Arguments arguments);
 
 /// `gnomon render`: a picture of a scene or of a folder written by `gnomon shadow`.

@@ -22,7 +22,7 @@ constexpr std::array commands{
     Command{"fit", "intensities of lights, or a material, for wanted brightness", fit_command},
     Command{"render", "makes a picture of a scene or of a result folder", render_command},
     Command{"image", "a picture of what a scene's camera sees, with error bounds", image_command},
-    Command{"import", "a scene of an OBJ file and its materials", import_command},
+    Command{"import", "a scene of models and their materials", import_command},
     Command{"example", "prints an installed example, or their list", example_command},
 };
 

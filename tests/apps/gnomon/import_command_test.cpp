@@ -66,6 +66,20 @@ TEST_F(ImportCommand, GivesWhatTheSameSceneByHandGives) {
   EXPECT_GT(areas("scene.json")["penumbra"]["double"], 1.0);
 }
 
+TEST_F(ImportCommand, MakesTheLampOfAChairsModelALight) {
+  write("mat.mtl", "newmtl wood\nKd .5 .5 .5\nnewmtl light\nKe 10 10 10\n");
+  write(
+      "mat.obj",
+      "mtllib mat.mtl\no chair\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nvt 0 0\nvn 0 0 1\nusemtl wood\nf 1/1/1 2/1/1 3/1/1 "
+      "4/1/1\no lamp\nv 0 0 3\nv 1 0 3\nv 1 1 3\nusemtl light\nf -3//1 -2//1 -1//1\n");
+  ASSERT_EQ(gnomon("import mat.obj --out mat.json --quiet").code, 0);
+  const json scene = read_json("mat.json");
+  EXPECT_EQ(scene["lights"], json::parse(R"([{"name": "light", "shape": "polygon", "radiance": 10.0,
+    "vertices": [[0.0, 0.0, 3.0], [1.0, 0.0, 3.0], [1.0, 1.0, 3.0]]}])"));
+  EXPECT_EQ(scene["blockers"].size(), 1u);
+  EXPECT_THAT(gnomon("check mat.json").out, HasSubstr("radiance 10 W/(m^2 sr)"));
+}
+
 TEST_F(ImportCommand, TakesUnitAxisAndLightsAsTold) {
   const json scene = imported("--unit mm --up y --light wood=2.5 --receiver floor");
   EXPECT_EQ(scene["length_unit"], "mm");
@@ -116,7 +130,7 @@ TEST_F(ImportCommand, RefusesWhatItCannotUse) {
     EXPECT_EQ(run.code, code) << words << run.err;
     EXPECT_THAT(run.err, HasSubstr(text)) << words;
   };
-  expect("model.gltf --out s.json", 4, "expected .obj");
+  expect("model.gltf --out s.json", 4, "expected .obj, .off, .ply, .stl or .rad");
   expect("nix.obj --out s.json", 3, "no such file");
   expect("model.obj --out model.obj", 2, "model.obj");
   expect("model.obj --out s.json --unit furlong", 2, "expected m, mm");
@@ -134,6 +148,115 @@ TEST_F(ImportCommand, RefusesWhatItCannotUse) {
   write("crossed.obj", "v 0 0 0\nv 4 4 0\nv 4 0 0\nv 0 4 0\nf 1 2 3 4\n");
   expect("crossed.obj --out s.json", 3, "crossed.obj");
   EXPECT_EQ(gnomon("check s.json").code, 3);  // nothing was written
+}
+
+TEST_F(ImportCommand, JoinsFacetsOfALampToOneLightOnlyIfToldTo) {
+  write("model.obj", "mtllib model.mtl\n" + floor + table + lamp + "v 1 1 3\nf 11 10 12\nv 5 5 5\nv 5 6 5\nv 6 5 5\n" +
+                         "f 13 14 15\n");
+  EXPECT_EQ(imported()["lights"].size(), 3u);
+  const Outcome run = gnomon("import model.obj --out scene.json --merge-coplanar");
+  EXPECT_THAT(run.out, AllOf(HasSubstr("3 facets of lamps"), HasSubstr("joined to 2 lights")));
+  const json lights = read_json("scene.json")["lights"];
+  ASSERT_EQ(lights.size(), 2u);
+  EXPECT_EQ(lights[0]["vertices"], json::parse("[[0.1,0,3],[0,1,3],[1,1,3],[1,0,3]]"));
+  EXPECT_EQ(lights[1]["name"], "lamp 2");
+}
+
+TEST_F(ImportCommand, MakesOneLightOfTheHalvesOfASquare) {
+  write("two.obj", "mtllib model.mtl\nusemtl lamp\nv 0 0 3\nv 0 1 3\nv 1 1 3\nv 1 0 3\nf 1 2 3\nf 1 3 4\n");
+  write("one.obj", "mtllib model.mtl\nusemtl lamp\nv 0 0 3\nv 0 1 3\nv 1 1 3\nv 1 0 3\nf 1 2 3 4\n");
+  write("board.obj", table);
+  ASSERT_EQ(gnomon("import two.obj board.obj --out two.json --merge-coplanar --quiet").code, 0);
+  ASSERT_EQ(gnomon("import one.obj board.obj --out one.json --quiet").code, 0);
+  EXPECT_EQ(read_json("two.json"), read_json("one.json"));
+}
+
+TEST_F(ImportCommand, ReadsMeshesWithoutMaterialsByTheNamesOfTheirFiles) {
+  write("lamp.off", "OFF\n4 2 0\n0 0 3\n1 0 3\n1 1 3\n0 1 3\n3 0 2 1\n3 0 3 2\n");
+  write("ground.stl",
+        "solid\nfacet normal 0 0 1\nouter loop\nvertex -4 -4 0\nvertex 4 -4 0\nvertex 4 4 0\nendloop\n"
+        "endfacet\nendsolid\n");
+  write("board.ply",
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 1\n1 0 1\n0 1 1\n3 0 1 2\n");
+  const Outcome run = gnomon(
+      "import lamp.off ground.stl board.ply model.obj --out scene.json --light lamp=5 "
+      "--receiver ground --merge-coplanar");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json scene = read_json("scene.json");
+  EXPECT_EQ(scene["lights"].size(), 2u);  // that of the OBJ file has the same name, and the radiance that was told
+  EXPECT_EQ(scene["lights"][0], json::parse(R"({"name": "lamp", "shape": "polygon", "radiance": 5.0,
+    "vertices": [[0.0, 0.0, 3.0], [0.0, 1.0, 3.0], [1.0, 1.0, 3.0], [1.0, 0.0, 3.0]]})"));
+  EXPECT_EQ(scene["lights"][1]["name"], "lamp 2");
+  EXPECT_EQ(scene["lights"][1]["radiance"], 5.0);
+  EXPECT_EQ(scene["receivers"], json::parse(R"([{"name": "ground", "shape": "mesh", "file": "ground.stl"}])"));
+  EXPECT_EQ(scene["blockers"].size(), 4u);
+  EXPECT_EQ(scene["blockers"][1]["file"], "board.ply");
+  EXPECT_EQ(gnomon("check scene.json").code, 0);
+}
+
+TEST_F(ImportCommand, OfARadianceSceneIsTheSceneByHand) {
+  write(
+      "room.rad",
+      "# a lamp of two halves over a board\nvoid plastic grey 0 0 5 .5 .5 .25 .25 .25\nvoid light bright\n0\n0\n3 "
+      "100 50 100\ngrey polygon ground 0 0 12  -4 -4 0  4 -4 0  4 4 0  -4 4 0\nbright polygon half.1 0 0 9 0 0 3 0 1 3 "
+      "1 1 3\nbright polygon half.2 0 0 9 0 0 3 1 1 3 1 0 3\ngrey polygon ell 0 0 18 0 0 1 2 0 1 2 1 1 1 1 1 1 2 1 0 "
+      "2 1\nvoid polygon air 0 0 9 0 0 2 1 0 2 0 1 2\n");
+  const Outcome run = gnomon("import room.rad --out scene.json --receiver grey --merge-coplanar");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("polygon of void (1)"));
+  json scene = read_json("scene.json");
+  EXPECT_EQ(scene["receivers"], scene["blockers"]);
+  scene.erase("receivers");
+  EXPECT_EQ(scene, json::parse(R"({"gnomon": 1, "dimension": 3, "length_unit": "m",
+    "materials": [{"name": "grey", "model": "blinn", "diffuse": [0.375, 0.375, 0.1875], "specular": 0.25, "exponent": 32}],
+    "lights": [{"name": "bright", "shape": "polygon", "radiance": 100.0, "color": [1.0, 0.5, 1.0],
+      "vertices": [[0.0,0.0,3.0], [0.0,1.0,3.0], [1.0,1.0,3.0], [1.0,0.0,3.0]]}],
+    "blockers": [{"name": "ground", "shape": "polygon", "material": "grey",
+        "vertices": [[-4.0,-4.0,0.0], [4.0,-4.0,0.0], [4.0,4.0,0.0], [-4.0,4.0,0.0]]},
+      {"name": "ell", "shape": "concave_polygon", "material": "grey",
+        "vertices": [[0.0,0.0,1.0], [2.0,0.0,1.0], [2.0,1.0,1.0], [1.0,1.0,1.0], [1.0,2.0,1.0], [0.0,2.0,1.0]]}]})"));
+}
+
+TEST_F(ImportCommand, RefusesCommandsOfRadianceScenesByName) {
+  write("command.rad", "void plastic a 0 0 5 1 1 1 0 0\n!genbox a box 1 1 1\n");
+  const Outcome run = gnomon("import command.rad --out s.json");
+  EXPECT_EQ(run.code, 4);
+  EXPECT_THAT(run.err, AllOf(HasSubstr("command.rad"), HasSubstr("line 2"), HasSubstr("!genbox a box 1 1 1")));
+}
+
+TEST_F(ImportCommand, TakesBentAndConcavePolygonsAsTheyAre) {
+  write("bent.rad",
+        "void light b 0 0 3 1 1 1\nvoid metal m 0 0 5 1 1 1 0 0\nb polygon lamp 0 0 12 0 0 3 0 1 3 1 1 3.0001 1 0 3\n"
+        "m polygon frame 0 0 30 0 0 2 4 0 2 4 4 2 0 4 2 0 0 2 1 1 2 1 2 2 2 2 2 2 1 2 1 1 2\n");
+  ASSERT_EQ(gnomon("import bent.rad --out scene.json --merge-coplanar").code, 0);
+  const Outcome run = gnomon("check scene.json");
+  EXPECT_THAT(run.out, AllOf(HasSubstr("1 hole"), HasSubstr("it is bent")));
+}
+
+TEST_F(ImportCommand, TellsNamesThatAreNotUnicode) {
+  const std::string facets = "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl gr\xfcn\nf 1 2 3\n";
+  write("one.obj", facets);
+  EXPECT_EQ(gnomon("import one.obj --out one.json").code, 0);
+  write("two.obj", facets + "usemtl wood\nf 3 2 1\n");
+  const Outcome run = gnomon("import two.obj --out two.json");
+  EXPECT_EQ(run.code, 4);
+  EXPECT_THAT(run.err, HasSubstr("no UTF-8"));
+  EXPECT_EQ(gnomon("import two.obj --out two.json --light wood=1").code, 4);
+  write("long.obj", "usemtl " + std::string(149, 'a') + "\xc3\xa4\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_EQ(gnomon("import long.obj --out long.json").code, 0);
+}
+
+TEST_F(ImportCommand, ReadsNamesWithBlanksContinuedLinesAndEndsOfAnyKind) {
+  write("odd.mtl", "\xef\xbb\xbfnewmtl the old wood\r\nKd 0.5\r\n");
+  write("odd.obj",
+        "\xef\xbb\xbfmtllib odd.mtl\r\no \r\ng\r\nusemtl the old wood\r\nv 0 0 0\r\nv 1 0 \\\r\n0\r\nv 0 1 0\r\n"
+        "f -3 \\\r\n-2 -1\r\ng empty\r\n");
+  const Outcome run = gnomon("import odd.obj --out odd.json --receiver 'the old wood'");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json scene = read_json("odd.json");
+  EXPECT_EQ(scene["receivers"].size(), 1u);
+  EXPECT_EQ(scene["blockers"][0]["material"], "the old wood");
 }
 
 TEST_F(ImportCommand, AMaterialThatNoFacetHasIsRefusedInAScene) {
