@@ -20,6 +20,7 @@
 #include "apps/gnomon/receiver_rows.h"
 #include "apps/gnomon/scene_input.h"
 #include "apps/gnomon/seen_surface.h"
+#include "apps/gnomon/sensor_files.h"
 #include "apps/gnomon/text.h"
 #include "geometry/parallel.h"
 #include "gnomon/irradiance.h"
@@ -38,6 +39,7 @@ struct IrradianceOptions : CommonOptions {
   std::string eye;
   std::string material;
   std::string out;
+  SensorFileNames files;
   IrradianceLayout layout;
 };
 
@@ -64,6 +66,10 @@ void add_options(CommandLine& app, IrradianceOptions& options) {
   app.add_flag("--sum", options.layout.sum, "A row for each point, with the sum over all lights");
   app.add_flag("--wide", options.layout.wide,
                "A row for each point, with two columns for each light: irradiance_NAME,error_bound_NAME");
+  add_text(app, "--sensors", options.files.sensors, "FILE",
+           "Also write the points as daylight tools read them, x y z nx ny nz a line");
+  add_text(app, "--values", options.files.values, "FILE",
+           "Also write a line for each point, with the irradiance of all lights together alone");
   add_json_option(app, options);
   add_text(app, "--light", options.light, "NAME", "Only this light");
   add_linear_search_option(app, options);
@@ -75,7 +81,8 @@ void add_options(CommandLine& app, IrradianceOptions& options) {
       "scene's unit of length, and clipped by the\n"
       "receiver's horizon; |irradiance - exact| is at most error_bound. It is positive exactly where gnomon regions\n"
       "tells lit or penumbra. A facet right under a point, up to rounding, does not hide the light from it. With\n"
-      "--out FILE, and in the JSON, mean over the points, least and largest irradiance are told, too. A malformed line "
+      "--out FILE, and in the JSON, mean over the points, least and largest irradiance are told, too; --sensors and "
+      "--values have neither bounds nor names. A malformed line "
       "is reported\n"
       "with its number and left out; the exit code is 3 then.\n\n"
       "With --eye the columns radiance and radiance_error_bound follow, in W/(m^2 sr); where colours differ,\n"
@@ -128,9 +135,11 @@ struct IrradianceOutputs {
   std::optional<OutputFile> json_file;
   std::optional<IrradianceCsv> csv;
   std::optional<IrradianceJson> json;
+  SensorFiles files;
 
   IrradianceOutputs(const IrradianceOptions& options, const SpaceScene& scene, const std::string& header,
-                    const std::vector<std::string>& lights, const Question& question) {
+                    const std::vector<std::string>& lights, const Question& question)
+      : files(options.files) {
     IrradianceLayout layout = options.layout;
     const SceneMaterial* material = question.material;
     if (material) layout.radiance = RadianceColumns{is_coloured(scene, material->material, question.chosen)};
@@ -143,8 +152,15 @@ struct IrradianceOutputs {
     json.emplace(json_file ? json_file->stream() : std::cout, scene, lights, layout, material ? material->name : "");
   }
 
+  void add(const LitRow& lit) {
+    if (csv) csv->add(lit);
+    if (json) json->add(lit);
+    files.add(lit);
+  }
+
   void publish(const IrradianceSummaries& summaries, std::size_t malformed_lines) {
     if (json) json->finish(summaries, malformed_lines);
+    files.publish();
     if (csv_file) csv_file->publish();
     if (json_file) json_file->publish();
   }
@@ -180,8 +196,7 @@ ExitCode write_irradiance(const IrradianceOptions& options, const SpaceScene& sc
   for (auto batch = receivers.next_batch(); !batch.empty(); batch = receivers.next_batch()) {
     const std::size_t count = batch.size();
     for (const LitRow& lit : lit_rows(receivers, std::move(batch), question)) {
-      if (outputs.csv) outputs.csv->add(lit);
-      if (outputs.json) outputs.json->add(lit);
+      outputs.add(lit);
       const auto* malformed = std::get_if<MalformedRow>(&lit.row);
       summaries.add(lit);
       malformed_lines += malformed ? 1 : 0;
@@ -249,6 +264,7 @@ ExitCode irradiance_command(Arguments arguments) {
   add_options(app, options);
   if (!app.parse(arguments)) return ExitCode::done;
   require_table_places(options.out, options.json, {options.scene, options.at});
+  require_sensor_places(options.files, {options.scene, options.at}, {options.out, options.json});
   if (options.out == "-") options.out.clear();
   if (options.at.empty() == options.on.empty()) throw UsageError("expected either --at POINTS.csv or --on RECEIVER");
   if (options.on.empty() && !options.shape.empty()) throw UsageError("--shape nu,nv goes with --on RECEIVER");

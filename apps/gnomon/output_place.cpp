@@ -40,6 +40,8 @@ bool fits_place(const std::string& name, OutputKind kind) {
       return fs::path(name).extension() == ".vti";
     case OutputKind::picture:
       return ending == ".png" || ending == ".pfm" || ending == ".vti";
+    case OutputKind::text:
+      return name != "-" && ending.empty();
   }
   return true;
 }
@@ -63,6 +65,8 @@ std::string place_for(OutputKind kind) {
       return "a file that ends in .vti, which ParaView opens; image data do not go to stdout";
     case OutputKind::picture:
       return "a file that ends in .png, .pfm or .vti";
+    case OutputKind::text:
+      return "a file of text, such as points.pts; it does not go to stdout";
   }
   return {};
 }
@@ -79,6 +83,14 @@ void require_unread(std::string_view option, const std::string& name, const std:
     return;
   }
   throw UsageError(std::string(option) + ' ' + name + ": this file is read; expected another one to write");
+}
+
+void require_unwritten(std::string_view option, const std::string& name, const std::vector<std::string>& written) {
+  if (name.empty()) return;
+  for (const std::string& other : written) {
+    if (other.empty() || other == "-" || !is_one_file(name, other)) continue;
+    throw UsageError(std::string(option) + ' ' + name + ": another option writes this file, too; expected two");
+  }
 }
 
 void require_table_places(const std::string& out, const std::string& json, const std::vector<std::string>& read) {

@@ -13,6 +13,7 @@ enum class OutputKind {
   json,     ///< "-" is stdout
   image,    ///< VTK image data
   picture,  ///< PNG, PFM or VTK image data
+  text,     ///< lines of numbers, of any ending that no other kind has; never stdout
 };
 
 /// Refuses a name whose ending says that something else is meant (a folder `out.vtm`, a table `points.json`), and "-"
@@ -23,6 +24,9 @@ void require_place(std::string_view option, const std::string& name, OutputKind 
 
 /// Refuses a file to write that is one of those to read.
 void require_unread(std::string_view option, const std::string& name, const std::vector<std::string>& read);
+
+/// Refuses a file to write that another option writes, too.
+void require_unwritten(std::string_view option, const std::string& name, const std::vector<std::string>& written);
 
 /// require_place and require_unread for a table and its JSON, which must not both go to one file, or to stdout.
 void require_table_places(const std::string& out, const std::string& json, const std::vector<std::string>& read);

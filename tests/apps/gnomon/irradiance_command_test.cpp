@@ -53,6 +53,37 @@ TEST_F(IrradianceCommand, GivesARowForEachPointOnRequest) {
   EXPECT_LE(std::fabs(sum["irradiance"].get<double>() - 2.6), sum["error_bound"].get<double>());
 }
 
+TEST_F(IrradianceCommand, WritesSensorFilesThatItReadsAndAValueALine) {
+  write("points.csv", "label,x,y,z,nx,ny,nz\na,0.1,0,0,0,0,2\nb,0,0,x,0,0,1\nc,-1,0.5,0,0,0,-1\n");
+  const Outcome run = gnomon("irradiance lamps.scene.json --at points.csv --sum --sensors p.pts --values e.txt");
+  EXPECT_EQ(run.code, 3);  // a line is malformed
+  EXPECT_EQ(read("p.pts"), "0.1 0 0 0 0 2\n-1 0.5 0 0 0 -1\n");
+  const Outcome again = gnomon("irradiance lamps.scene.json --at p.pts --sum --sensors q.pts --values f.txt");
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_EQ(read("q.pts"), read("p.pts"));
+  EXPECT_EQ(read("f.txt"), read("e.txt"));
+  const std::vector<std::string> rows = lines(again.out), values = lines(read("f.txt"));
+  ASSERT_EQ(rows.size(), 3u);
+  ASSERT_EQ(values.size(), 2u);
+  EXPECT_THAT(rows[1], HasSubstr("," + values[0] + ","));
+  EXPECT_EQ(values[1], "0");
+}
+
+TEST_F(IrradianceCommand, RefusesSensorFilesThatAreReadOrWrittenTwice) {
+  write("p.pts", "0 0 0 0 0 1\n");
+  const auto expect = [&](const std::string& options, const std::string& text) {
+    const Outcome run = gnomon("irradiance lamps.scene.json --at p.pts " + options);
+    EXPECT_EQ(run.code, 2) << options;
+    EXPECT_THAT(run.err, HasSubstr(text)) << options;
+  };
+  expect("--sensors p.pts", "is read");
+  expect("--sensors a.pts --values ./a.pts", "another option");
+  expect("--out a.csv --values a.csv", "a file of text");
+  expect("--values -", "does not go to stdout");
+  expect("--out a --values a", "another option");
+  EXPECT_EQ(read("p.pts"), "0 0 0 0 0 1\n");
+}
+
 TEST_F(IrradianceCommand, TellsMeanLeastAndLargestWithBounds) {
   write("points.csv", "x,y,z,nx,ny,nz\n0,0,0,0,0,2\n0,0,0,0,0,-1\n");
   const Outcome run = gnomon("irradiance lamps.scene.json --at points.csv --out e.csv --json e.json");
