@@ -97,7 +97,7 @@ class Maker {
       for (std::size_t k = 0; k < ring.size(); ++k) insert(ring[k], ring[(k + 1) % ring.size()], border);
     }
     for (const Trace& trace : outline_.traces) insert(trace.a, trace.b, trace.order);
-    for (const Point3& p : outline_.corners) vertex(exact(p));
+    for (const ExactVector& p : outline_.corners) vertex(p);
     for (const auto& [id, order] : lines) mark(id, order);
   }
 

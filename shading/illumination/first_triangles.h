@@ -15,7 +15,7 @@ namespace gnomon::illumination {
 struct Outline {
   std::vector<std::vector<ExactVector>> rings;  ///< the border of each receiver, counterclockwise seen from the front
   std::vector<Trace> traces;
-  std::vector<Point3> corners;
+  std::vector<ExactVector> corners;
 };
 
 struct FirstTriangle {

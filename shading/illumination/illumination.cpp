@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "geometry/numbers/rounding.h"
 #include "geometry/numbers/vector3.h"
 #include "geometry/parallel.h"
 #include "gnomon/errors.h"
@@ -44,6 +45,7 @@ double illuminated_area(const IlluminationMesh& mesh, const IlluminationFace& fa
 /// What is known of each receiver before it is meshed.
 struct ReceiverFacts {
   ReceiverTraces traces;
+  std::vector<ExactVector> touching;
   std::vector<Probe> probes;
   std::optional<Probe> brightest;
 };
@@ -139,6 +141,10 @@ class Illuminating {
 
  private:
   void divide() {
+    const std::vector<Body> bodies = illumination::touching_bodies(sources_, obstacles_);
+    for_all(receivers_.size(), effort_.threads, [&](std::size_t r, std::size_t) {
+      facts_[r].touching = illumination::touching_places(bodies, receivers_[r]);
+    });
     for (const IlluminationLight& light : sources_) {
       for (const Light& part : light.parts) {
         const ReceiverDivision division(part, obstacles_.blockers, receivers_, effort_.threads, obstacles_.enclosures);
@@ -216,14 +222,16 @@ class Illuminating {
   Refinement refined_between(std::span<const std::uint32_t> group, Outline outline, bool has_all_traces,
                              std::size_t most) {
     std::vector<Probe> probes;
-    std::vector<Point3> touching, corners;
+    std::vector<Point3> many_limits;
     for (const std::uint32_t r : group) {
       const ReceiverFacts& facts = facts_[r];
       probes.insert(probes.end(), facts.probes.begin(), facts.probes.end());
-      for (const Point3& p : illumination::touching_places(sources_, obstacles_, receivers_[r])) touching.push_back(p);
+      for (const ExactVector& p : facts.touching) {
+        outline.corners.push_back(p);
+        many_limits.push_back({nearest_double(p.x), nearest_double(p.y), nearest_double(p.z)});
+      }
       if (facts.brightest) add_brightest(outline, facts.brightest->point, extent_of(receivers_[r].points()));
     }
-    outline.corners.insert(outline.corners.end(), touching.begin(), touching.end());
     std::vector<Point3> all;
     for (const auto& ring : outline.rings) {
       for (const ExactVector& p : ring) all.push_back(illumination::near_point(p));
@@ -231,7 +239,7 @@ class Illuminating {
     const bool tries_edges = has_all_traces && effort_.order == 1;
     const RefinementGoal goal{result_.tolerance,        effort_.order,  tries_edges, most,
                               0x1p-40 * extent_of(all), effort_.threads};
-    Refinement refined(illumination::first_triangles(outline), group, touching, std::move(probes), lights_, goal);
+    Refinement refined(illumination::first_triangles(outline), group, many_limits, std::move(probes), lights_, goal);
     refined.run();
     return refined;
   }
@@ -247,7 +255,7 @@ class Illuminating {
       }
     }
     if (std::ranges::none_of(outline.traces, [&](const Trace& t) { return is_near(t.a, t.b); })) {
-      outline.corners.push_back(p);
+      outline.corners.push_back(exact(p));
     }
   }
 

@@ -50,14 +50,11 @@ void append_side(std::vector<ExactVector>& ring, const Point3& from, const Point
   }
 }
 
-std::span<const Point3> corners_of(const Light& light, std::vector<Point3>& memory) {
-  memory.clear();
-  if (const auto* point = std::get_if<PointLight>(&light)) memory = {point->position};
-  if (const auto* tube = std::get_if<LinearLight>(&light)) memory = {tube->start, tube->end};
-  if (const auto* area = std::get_if<AreaLight>(&light)) {
-    memory.assign(area->polygon.points().begin(), area->polygon.points().end());
-  }
-  return memory;
+/// Where the line from one point to another, which are on different sides of a plane, meets it.
+ExactVector crossing_with(const Point3& from, const Point3& to, const ExactVector& origin, const ExactVector& normal) {
+  const ExactVector a = exact(from), b = exact(to);
+  const Rational above = dot(normal, a - origin), below = dot(normal, b - origin);
+  return a + Rational(above / (above - below)) * (b - a);
 }
 
 }  // namespace
@@ -93,21 +90,40 @@ bool is_on(const ConvexPolygon& receiver, const Point3& p) {
   return true;
 }
 
-std::vector<Point3> touching_places(std::span<const IlluminationLight> lights, const Obstacles& obstacles,
-                                    const ConvexPolygon& receiver) {
-  const auto corner = [&](std::size_t k) { return receiver.points()[receiver.corners()[k]]; };
-  std::vector<Point3> found;
-  const auto look = [&](std::span<const Point3> points) {
-    for (const Point3& p : points) {
-      if (exact_orientation(corner(0), corner(1), corner(2), p) == 0 && is_on(receiver, p)) found.push_back(p);
-    }
-  };
-  std::vector<Point3> memory;
+std::vector<Body> touching_bodies(std::span<const IlluminationLight> lights, const Obstacles& obstacles) {
+  std::vector<Body> bodies;
   for (const IlluminationLight& light : lights) {
-    for (const Light& part : light.parts) look(corners_of(part, memory));
+    for (const Light& part : light.parts) {
+      Body one = body(part);
+      if (!one.at_infinity) bodies.push_back(std::move(one));
+    }
   }
-  for (const ConvexBlocker& blocker : obstacles.blockers) {
-    std::visit([&](const auto& shape) { look(shape.points()); }, blocker);
+  for (const ConvexBlocker& blocker : obstacles.blockers) bodies.push_back(body(blocker));
+  return bodies;
+}
+
+std::vector<ExactVector> touching_places(std::span<const Body> bodies, const ConvexPolygon& receiver) {
+  const auto corner = [&](std::size_t k) { return receiver.points()[receiver.corners()[k]]; };
+  const ExactVector origin = exact(corner(0));
+  const ExactVector normal = cross(exact(corner(1)) - origin, exact(corner(2)) - origin);
+  std::vector<ExactVector> found;
+  const auto side = [&](const Point3& p) { return exact_orientation(corner(0), corner(1), corner(2), p); };
+  const auto add = [&](const ExactVector& p) {
+    if (is_on(receiver, near_point(p))) found.push_back(p);
+  };
+  for (const Body& body : bodies) {
+    std::vector<int> sides;
+    for (const Point3& p : body.corners) {
+      sides.push_back(side(p));
+      if (sides.back() == 0) add(exact(p));
+    }
+    for (const Body::InsideVertex& vertex : body.inside) {
+      if (side(vertex.point) == 0) add(exact(vertex.point));
+    }
+    for (const Body::Edge& edge : body.edges) {
+      if (edge.name == Body::none || sides[edge.from] * sides[edge.to] >= 0) continue;
+      add(crossing_with(body.corners[edge.from], body.corners[edge.to], origin, normal));
+    }
   }
   return found;
 }

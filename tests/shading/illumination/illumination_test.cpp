@@ -324,6 +324,26 @@ TEST(Illumination, TakesFewFacesUnderABoardThatNearlyTouches) {
   EXPECT_LT(faces(0), 400U);
 }
 
+/// Where an edge of a lamp pierces the ground irradiance has many limits, at places that are no doubles.
+TEST(IlluminationDegenerate, MeetsTheToleranceAroundEdgesThatPierceTheReceiver) {
+  const Light through = AreaLight{polygon({{-3, -1, -0.7}, {-3, 1, -0.7}, {-2.5, 1, 1.4}, {-2.5, -1, 1.4}})};
+  const Light on_one_side = AreaLight{polygon({{-4, -1, -0.5}, {-4, 1, -0.5}, {-4, 1, 1.5}, {-4, -1, 1.5}})};
+  const Obstacles boards{{polygon({{-1.5, -1.25, 1.5}, {-0.9, -1.25, 1.5}, {-0.9, -0.5, 1.5}, {-1.5, -0.5, 1.5}}),
+                          polygon({{2, 0, -0.3}, {3, 0.5, -0.3}, {3.5, 0.75, 0.4}, {2.5, 0.25, 0.4}})},
+                         {}};
+  IlluminationEffort effort;
+  effort.tolerance = 0.05;
+  effort.most_faces = 8000;
+  for (const Light& lamp : {through, on_one_side}) {
+    const std::vector<IlluminationLight> lights = {{{lamp}, 1}, {{small_lamp}, 4}};
+    const Illumination found = illuminate(lights, boards, {&ground, 1}, effort);
+    EXPECT_EQ(found.meshes.front().unmet_faces(), 0U);
+    const Agreement tally = agreement(lights, boards, found, 1, 2000, 11);
+    std::cout << found.meshes.front().faces.size() << " faces, worst " << tally.worst << " of the tolerance\n";
+    EXPECT_LE(tally.worst, 1.1);
+  }
+}
+
 TEST(IlluminationDegenerate, TellsOfFacesAroundALightOnTheReceiver) {
   const std::vector<IlluminationLight> lights = {{{square_lamp}, 1}, {{LinearLight{{1, 1, 0}, {1, 1, 1}}}, 1}};
   const Illumination found = illuminate(lights, {}, {&ground, 1}, {.tolerance = 0.1, .most_faces = 5000});
