@@ -39,10 +39,13 @@ ReceiverTraces traces_of(const ReceiverMesh& mesh) {
     }
     const std::uint8_t order = order_of(mesh, edge);
     if (order == smooth) continue;
+    // Chords end in the vertices themselves, or slivers as thin as rounding would part them from what ends there.
     const std::vector<std::uint32_t>& line = drawing.lines[e];
-    if (line.size() == 2) found.traces.push_back({place(edge.source), place(edge.target), order});
-    for (std::size_t k = 1; k < line.size() && line.size() > 2; ++k) {
-      found.traces.push_back({exact(drawing.points[line[k - 1]]), exact(drawing.points[line[k]]), order});
+    ExactVector from = place(edge.source);
+    for (std::size_t k = 1; k < line.size(); ++k) {
+      const ExactVector to = k + 1 < line.size() ? exact(drawing.points[line[k]]) : place(edge.target);
+      found.traces.push_back({from, to, order});
+      from = to;
     }
   }
   for (const ReceiverTriangle& t : drawing.triangles) {

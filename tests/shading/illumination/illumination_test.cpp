@@ -324,6 +324,26 @@ TEST(Illumination, TakesFewFacesUnderABoardThatNearlyTouches) {
   EXPECT_LT(faces(0), 400U);
 }
 
+/// Arcs end on traces at places that are no doubles.
+TEST(IlluminationDegenerate, HasNoFaceWithoutAreaWhereArcsEnd) {
+  const Light lamp =
+      AreaLight{polygon({{0.578125, 0.078125, 4.78125}, {0.578125, 1.5625, 5.5}, {1.96875, 0.078125, 4.84375}})};
+  const ConvexSolid spike = ConvexSolid::hull_of({{-1.953125, -2.140625, 0.640625},
+                                                  {-1.390625, -2.640625, 0},
+                                                  {-1.375, -2.171875, 0.296875},
+                                                  {-1.90625, -2.09375, 0.890625}});
+  const Obstacles both{{spike, block({-0.953125, -2.640625, 0}, {-0.625, -1.875, 1.015625})}, {}};
+  const IlluminationLight light{{lamp}, 1};
+  const Illumination found = illuminate({&light, 1}, both, {&ground, 1}, {.tolerance = 5e-3});
+  const IlluminationMesh& mesh = found.meshes.front();
+  EXPECT_EQ(mesh.unmet_faces(), 0U);
+  for (const IlluminationFace& face : mesh.faces) {
+    const Point3 &a = mesh.points[face.corners[0]], &b = mesh.points[face.corners[1]],
+                 &c = mesh.points[face.corners[2]];
+    EXPECT_GT((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x), 1e-8) << a.x << ' ' << a.y;
+  }
+}
+
 /// Where an edge of a lamp pierces the ground irradiance has many limits, at places that are no doubles.
 TEST(IlluminationDegenerate, MeetsTheToleranceAroundEdgesThatPierceTheReceiver) {
   const Light through = AreaLight{polygon({{-3, -1, -0.7}, {-3, 1, -0.7}, {-2.5, 1, 1.4}, {-2.5, -1, 1.4}})};
