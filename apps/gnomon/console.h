@@ -53,6 +53,9 @@ class Progress {
   /// Counts more steps. May be called from several threads.
   void step(std::size_t count = 1) { done_ += count; }
 
+  /// Counts anew, where steps may be taken back.
+  void set_done(std::size_t count) { done_ = count; }
+
   /// The part of the work that is done, where steps do not tell: from 0 to 1.
   void set_share(double share) { share_ = share; }
 

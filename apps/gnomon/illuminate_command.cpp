@@ -191,9 +191,11 @@ ExitCode write_all(const IlluminateOptions& options, const Scene& scene, Illumin
   std::vector<IlluminationLight> lights;
   for (const LightGroup& group : groups) lights.push_back({shapes_of(group), group.parts.front()->strength});
   effort.unit = *length_unit_named(space->length_unit);
-  Progress progress("receiver", subjects.pieces.size(), progress_visibility(options.quiet, false));
-  std::size_t told = 0;
-  effort.progress = [&](std::size_t done, std::size_t) { progress.step(done - std::exchange(told, done)); };
+  Progress progress("face", 0, progress_visibility(options.quiet, false));
+  effort.progress = [&](std::size_t done, std::size_t of, std::size_t faces) {
+    progress.set_done(faces);
+    if (of > 1) progress.set_share(static_cast<double>(done) / static_cast<double>(of));
+  };
   const Illumination found = illuminate(lights, bodies.obstacles, subjects.pieces, effort);
   IlluminationResult result = result_of(scene, subjects, groups, found, effort.order);
   std::vector<std::filesystem::path> files;

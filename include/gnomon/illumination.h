@@ -51,7 +51,8 @@ struct IlluminationEffort {
   std::size_t most_faces = 1000000;  ///< of one receiver, about: those whose error times area is largest go first
   LengthUnit unit = {"m", 1, 1};     ///< of all coordinates
   unsigned threads = 1;
-  std::function<void(std::size_t done, std::size_t of)> progress = {};  ///< of receivers; called by one thread
+  /// Told how many receivers are done, of how many, and how many faces there are so far; called by one thread.
+  std::function<void(std::size_t done, std::size_t of, std::size_t faces)> progress = {};
 };
 
 /// A triangle of a mesh, whose irradiance is interpolated between its points.

@@ -129,11 +129,10 @@ class Illuminating {
     for (IlluminationMesh& mesh : result_.meshes) mesh.order = effort_.order;
     ask_probes();
     result_.tolerance = effort_.is_relative ? effort_.tolerance * result_.largest : effort_.tolerance;
-    std::size_t done = 0;
     for (const std::vector<std::uint32_t>& group : illumination::coplanar_groups(receivers_)) {
       mesh_group(group);
-      done += group.size();
-      if (effort_.progress) effort_.progress(done, receivers_.size());
+      done_ += group.size();
+      tell_faces(0);
     }
     result_.evaluations = lights_.evaluations();
     return std::move(result_);
@@ -237,11 +236,21 @@ class Illuminating {
       for (const ExactVector& p : ring) all.push_back(illumination::near_point(p));
     }
     const bool tries_edges = has_all_traces && effort_.order == 1;
-    const RefinementGoal goal{result_.tolerance,        effort_.order,  tries_edges, most,
-                              0x1p-40 * extent_of(all), effort_.threads};
+    const RefinementGoal goal{result_.tolerance,
+                              effort_.order,
+                              tries_edges,
+                              most,
+                              0x1p-40 * extent_of(all),
+                              effort_.threads,
+                              [&](std::size_t triangles) { tell_faces(triangles); }};
     Refinement refined(illumination::first_triangles(outline), group, many_limits, std::move(probes), lights_, goal);
     refined.run();
     return refined;
+  }
+
+  /// Faces beside those that are written.
+  void tell_faces(std::size_t more) const {
+    if (effort_.progress) effort_.progress(done_, receivers_.size(), faces_ + more);
   }
 
   /// The brightest place becomes a corner, unless it is so near to a line that thin triangles would come of it.
@@ -260,6 +269,7 @@ class Illuminating {
   }
 
   void write(std::span<const std::uint32_t> group, const Refinement& refined) {
+    faces_ += refined.states().size();
     GroupMeshes(refined, lights_, effort_.threads).write(group, result_.meshes);
   }
 
@@ -269,6 +279,8 @@ class Illuminating {
   const IlluminationEffort& effort_;
   LightsTogether lights_;
   std::vector<ReceiverFacts> facts_;
+  std::size_t done_ = 0;   ///< receivers
+  std::size_t faces_ = 0;  ///< of them
   Illumination result_;
 };
 

@@ -68,6 +68,7 @@ void Refinement::run() {
     ask_shared(fresh);
     for_all(fresh.size(), goal_.threads, [&](std::size_t i, std::size_t worker) { judge(fresh[i], worker); });
     fresh = halve_failing(fresh);
+    if (goal_.progress) goal_.progress(states_.size());
   }
 }
 

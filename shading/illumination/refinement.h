@@ -3,6 +3,7 @@
 /// Triangles that are halved until interpolated irradiance is close enough. Private to the libraries.
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -30,6 +31,7 @@ struct RefinementGoal {
   std::size_t most_triangles = 0;
   double shortest = 0;  ///< edges are not halved below it
   unsigned threads = 1;
+  std::function<void(std::size_t triangles)> progress = {};
 };
 
 /// What a triangle interpolates between: its corners, then with order 2 the middles of its edges.

@@ -209,6 +209,20 @@ TEST(Illumination, IsTheSameForAnyNumberOfThreads) {
   }
 }
 
+TEST(Illumination, TellsFacesWhileAReceiverIsMeshed) {
+  const IlluminationLight light{{square_lamp}, 1};
+  const Polygons both = {ground, polygon({{-4, 4, 0}, {4, 4, 0}, {4, 4, 3}, {-4, 4, 3}})};
+  std::vector<std::array<std::size_t, 3>> told;
+  IlluminationEffort effort;
+  effort.progress = [&](std::size_t done, std::size_t of, std::size_t faces) { told.push_back({done, of, faces}); };
+  const Illumination found = illuminate({&light, 1}, furniture, both, effort);
+  const std::size_t first = found.meshes[0].faces.size(), second = found.meshes[1].faces.size();
+  EXPECT_EQ(told.front()[0], 0U);
+  EXPECT_LT(told.front()[2], first);
+  EXPECT_NE(std::ranges::find(told, std::array<std::size_t, 3>{1, 2, first}), told.end());
+  EXPECT_EQ(told.back(), (std::array<std::size_t, 3>{2, 2, first + second}));
+}
+
 TEST(Illumination, OfSeveralLightsIsTheSumOfWhatEachGives) {
   const std::vector<IlluminationLight> lights = {{{square_lamp}, 1}, {{skew_tube}, 0.05}};
   const Illumination found = illuminate(lights, furniture, {&ground, 1}, {.tolerance = 0.05});
