@@ -26,6 +26,7 @@ struct HiddenEffort {
 struct RestingPiece {
   const ConvexPolygon& polygon;
   std::vector<std::uint32_t> under = {};
+  std::vector<Point3> many_limits = {};  ///< places where irradiance may have them, rounded to nearest
 };
 
 /// The exchange area of a divided receiver and the light that it has been divided for.

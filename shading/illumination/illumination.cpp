@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "geometry/numbers/rounding.h"
 #include "geometry/numbers/vector3.h"
 #include "geometry/parallel.h"
 #include "gnomon/errors.h"
@@ -15,6 +14,7 @@
 #include "shading/illumination/coplanar_receivers.h"
 #include "shading/illumination/outlines.h"
 #include "shading/illumination/refinement.h"
+#include "shading/illumination/touching_places.h"
 
 namespace gnomon {
 namespace {
@@ -140,7 +140,9 @@ class Illuminating {
 
  private:
   void divide() {
-    const std::vector<Body> bodies = illumination::touching_bodies(sources_, obstacles_);
+    std::vector<Light> parts;
+    for (const IlluminationLight& light : sources_) parts.insert(parts.end(), light.parts.begin(), light.parts.end());
+    const std::vector<Body> bodies = illumination::touching_bodies(parts, obstacles_.blockers);
     for_all(receivers_.size(), effort_.threads, [&](std::size_t r, std::size_t) {
       facts_[r].touching = illumination::touching_places(bodies, receivers_[r]);
     });
@@ -227,7 +229,7 @@ class Illuminating {
       probes.insert(probes.end(), facts.probes.begin(), facts.probes.end());
       for (const ExactVector& p : facts.touching) {
         outline.corners.push_back(p);
-        many_limits.push_back({nearest_double(p.x), nearest_double(p.y), nearest_double(p.z)});
+        many_limits.push_back(illumination::nearest_point(p));
       }
       if (facts.brightest) add_brightest(outline, facts.brightest->point, extent_of(receivers_[r].points()));
     }

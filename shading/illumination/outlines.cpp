@@ -5,8 +5,6 @@
 #include <map>
 #include <utility>
 
-#include "geometry/bodies/body.h"
-#include "geometry/numbers/orientation.h"
 #include "geometry/numbers/place_key.h"
 #include "geometry/numbers/vector3.h"
 
@@ -50,13 +48,6 @@ void append_side(std::vector<ExactVector>& ring, const Point3& from, const Point
   }
 }
 
-/// Where the line from one point to another, which are on different sides of a plane, meets it.
-ExactVector crossing_with(const Point3& from, const Point3& to, const ExactVector& origin, const ExactVector& normal) {
-  const ExactVector a = exact(from), b = exact(to);
-  const Rational above = dot(normal, a - origin), below = dot(normal, b - origin);
-  return a + Rational(above / (above - below)) * (b - a);
-}
-
 }  // namespace
 
 Point3 near_point(const ExactVector& p) {
@@ -88,44 +79,6 @@ bool is_on(const ConvexPolygon& receiver, const Point3& p) {
     if (dot(cross(along, way), normal) < -1e-12 * length(along) * length(way) * length(normal)) return false;
   }
   return true;
-}
-
-std::vector<Body> touching_bodies(std::span<const IlluminationLight> lights, const Obstacles& obstacles) {
-  std::vector<Body> bodies;
-  for (const IlluminationLight& light : lights) {
-    for (const Light& part : light.parts) {
-      Body one = body(part);
-      if (!one.at_infinity) bodies.push_back(std::move(one));
-    }
-  }
-  for (const ConvexBlocker& blocker : obstacles.blockers) bodies.push_back(body(blocker));
-  return bodies;
-}
-
-std::vector<ExactVector> touching_places(std::span<const Body> bodies, const ConvexPolygon& receiver) {
-  const auto corner = [&](std::size_t k) { return receiver.points()[receiver.corners()[k]]; };
-  const ExactVector origin = exact(corner(0));
-  const ExactVector normal = cross(exact(corner(1)) - origin, exact(corner(2)) - origin);
-  std::vector<ExactVector> found;
-  const auto side = [&](const Point3& p) { return exact_orientation(corner(0), corner(1), corner(2), p); };
-  const auto add = [&](const ExactVector& p) {
-    if (is_on(receiver, near_point(p))) found.push_back(p);
-  };
-  for (const Body& body : bodies) {
-    std::vector<int> sides;
-    for (const Point3& p : body.corners) {
-      sides.push_back(side(p));
-      if (sides.back() == 0) add(exact(p));
-    }
-    for (const Body::InsideVertex& vertex : body.inside) {
-      if (side(vertex.point) == 0) add(exact(vertex.point));
-    }
-    for (const Body::Edge& edge : body.edges) {
-      if (edge.name == Body::none || sides[edge.from] * sides[edge.to] >= 0) continue;
-      add(crossing_with(body.corners[edge.from], body.corners[edge.to], origin, normal));
-    }
-  }
-  return found;
 }
 
 Outline outline_of(std::span<const ConvexPolygon* const> receivers, std::span<const ReceiverTraces> traces,

@@ -6,18 +6,11 @@
 #include <span>
 #include <vector>
 
-#include "geometry/bodies/body.h"
 #include "gnomon/illumination.h"
 #include "shading/illumination/first_triangles.h"
 #include "shading/illumination/receiver_traces.h"
 
 namespace gnomon::illumination {
-
-/// The bodies of all lights that are somewhere, and of all blockers.
-std::vector<Body> touching_bodies(std::span<const IlluminationLight> lights, const Obstacles& obstacles);
-
-/// Places of a receiver that a vertex of a body lies on, or where an edge pierces it: irradiance may have many limits.
-std::vector<ExactVector> touching_places(std::span<const Body> bodies, const ConvexPolygon& receiver);
 
 /// The borders of receivers of one plane, with a corner wherever a trace of any of them ends, and the traces up to an
 /// order. `traces` has those of each receiver, of all lights.

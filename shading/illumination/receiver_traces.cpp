@@ -11,7 +11,13 @@ bool is_on_border(const MeshEdge& edge) {
   return edge.left == MeshEdge::nowhere || edge.right == MeshEdge::nowhere;
 }
 
-/// Where the light shows its edge irradiance has limits as if something touched the receiver.
+Point3 middle_of(const Point3& a, const Point3& b, const Point3& c) {
+  return {a.x / 3 + b.x / 3 + c.x / 3, a.y / 3 + b.y / 3 + c.y / 3, a.z / 3 + b.z / 3 + c.z / 3};
+}
+
+}  // namespace
+
+// Where the light shows its edge irradiance has limits as if something touched the receiver.
 std::uint8_t order_of(const ReceiverMesh& mesh, const MeshEdge& edge) {
   std::uint8_t order = smooth;
   for (const std::uint32_t n : edge.names) {
@@ -21,12 +27,6 @@ std::uint8_t order_of(const ReceiverMesh& mesh, const MeshEdge& edge) {
   }
   return order;
 }
-
-Point3 middle_of(const Point3& a, const Point3& b, const Point3& c) {
-  return {a.x / 3 + b.x / 3 + c.x / 3, a.y / 3 + b.y / 3 + c.y / 3, a.z / 3 + b.z / 3 + c.z / 3};
-}
-
-}  // namespace
 
 ReceiverTraces traces_of(const ReceiverMesh& mesh) {
   ReceiverTraces found;

@@ -30,4 +30,7 @@ struct ReceiverTraces {
 
 ReceiverTraces traces_of(const ReceiverMesh& mesh);
 
+/// The order of the lowest derivative that may jump across an edge; `smooth` if none does.
+std::uint8_t order_of(const ReceiverMesh& mesh, const MeshEdge& edge);
+
 }  // namespace gnomon::illumination

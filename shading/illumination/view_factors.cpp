@@ -17,6 +17,7 @@
 #include "shading/illumination/hidden_exchange.h"
 #include "shading/illumination/standing_between.h"
 #include "shading/illumination/surface_pieces.h"
+#include "shading/illumination/touching_places.h"
 
 namespace gnomon {
 namespace {
@@ -103,6 +104,8 @@ class RowOfLight {
     std::vector<ConvexPolygon> receivers;
     for (const std::uint32_t outer : outers) receivers.push_back(pieces_[outer].polygon);
     const ReceiverDivision division(source, near.blockers, receivers);
+    const Light lights[] = {source};
+    const std::vector<Body> bodies = illumination::touching_bodies(lights, near.blockers);
     LightIrradiance irradiance(source, 1, PreparedObstacles(near));
     for (std::uint32_t r = 0; r < outers.size(); ++r) {
       const ReceiverMesh mesh = division.mesh(r);
@@ -111,8 +114,13 @@ class RowOfLight {
       for (std::uint32_t k = 0; k < numbers.size(); ++k) {
         if (is_own(outers[r], numbers[k])) under.push_back(k);
       }
-      Exchange exchange = illumination::hidden_exchange(mesh, {receivers[r], under}, before.loops, irradiance,
-                                                        {tolerance(outers[r], light), effort_.most_evaluations});
+      std::vector<Point3> many_limits = illumination::corners_of_jumps(mesh);
+      for (const ExactVector& p : illumination::touching_places(bodies, receivers[r])) {
+        many_limits.push_back(illumination::nearest_point(p));
+      }
+      Exchange exchange =
+          illumination::hidden_exchange(mesh, {receivers[r], under, many_limits}, before.loops, irradiance,
+                                        {tolerance(outers[r], light), effort_.most_evaluations});
       if (!shading::is_exact_zero(exchange.area)) exchange.area = widened(exchange.area, before.rounding);
       row.push_back({outers[r], light, exchange, true});
     }
