@@ -52,7 +52,6 @@ struct ReceiverFacts {
 
 void append(ReceiverTraces& all, ReceiverTraces more) {
   all.traces.insert(all.traces.end(), more.traces.begin(), more.traces.end());
-  all.on_border.insert(all.on_border.end(), more.on_border.begin(), more.on_border.end());
   all.inside.insert(all.inside.end(), more.inside.begin(), more.inside.end());
 }
 

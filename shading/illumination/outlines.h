@@ -12,8 +12,9 @@
 
 namespace gnomon::illumination {
 
-/// The borders of receivers of one plane, with a corner wherever a trace of any of them ends, and the traces up to an
-/// order. `traces` has those of each receiver, of all lights.
+/// The borders of receivers of one plane, and the traces up to an order. `traces` has those of each receiver, of all
+/// lights. Those that end on a border do so exactly, also where vertices were rounded off their plane: they are moved
+/// into it along the axis that is left out where the outline is made triangles.
 Outline outline_of(std::span<const ConvexPolygon* const> receivers, std::span<const ReceiverTraces> traces,
                    std::uint8_t highest_order);
 

@@ -7,10 +7,6 @@
 namespace gnomon::illumination {
 namespace {
 
-bool is_on_border(const MeshEdge& edge) {
-  return edge.left == MeshEdge::nowhere || edge.right == MeshEdge::nowhere;
-}
-
 Point3 middle_of(const Point3& a, const Point3& b, const Point3& c) {
   return {a.x / 3 + b.x / 3 + c.x / 3, a.y / 3 + b.y / 3 + c.y / 3, a.z / 3 + b.z / 3 + c.z / 3};
 }
@@ -34,9 +30,6 @@ ReceiverTraces traces_of(const ReceiverMesh& mesh) {
   const auto place = [&](std::uint32_t v) { return mesh.data().plane.spatial(mesh.data().point(v)); };
   for (std::size_t e = 0; e < mesh.edges().size(); ++e) {
     const MeshEdge& edge = mesh.edges()[e];
-    if (is_on_border(edge)) {
-      for (const std::uint32_t v : {edge.source, edge.target}) found.on_border.push_back(place(v));
-    }
     const std::uint8_t order = order_of(mesh, edge);
     if (order == smooth) continue;
     // Chords end in the vertices themselves, or slivers as thin as rounding would part them from what ends there.

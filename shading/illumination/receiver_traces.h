@@ -23,9 +23,8 @@ struct Trace {
 /// What the division of a receiver by one light tells of it. Ends are exact, so that traces of several lights along one
 /// line lie on one line; arcs are taken by their chords.
 struct ReceiverTraces {
-  std::vector<Trace> traces;           ///< along the border, too, where something touches it there
-  std::vector<ExactVector> on_border;  ///< where traces end on the receiver's border
-  std::vector<Point3> inside;          ///< one place of each triangle of the division's faces
+  std::vector<Trace> traces;   ///< along the border, too, where something touches it there
+  std::vector<Point3> inside;  ///< one place of each triangle of the division's faces
 };
 
 ReceiverTraces traces_of(const ReceiverMesh& mesh);

@@ -358,6 +358,40 @@ TEST(IlluminationDegenerate, HasNoFaceWithoutAreaWhereArcsEnd) {
   }
 }
 
+/// Turned by angles that leave no coordinate short.
+std::vector<Point3> turned(std::vector<Point3> points, double by) {
+  const double c = std::cos(by), s = std::sin(by), d = std::cos(3 * by), e = std::sin(3 * by);
+  for (Point3& p : points) {
+    const double x = c * p.x - s * p.y, y = s * p.x + c * p.y;
+    p = {x, d * y - e * p.z, e * y + d * p.z};
+  }
+  return points;
+}
+
+/// A trace that ends on the border of the receiver's plane ends beside the line between two vertices.
+TEST(IlluminationDegenerate, OfARoundedReceiverHasNoFaceWithoutAreaAtItsBorder) {
+  std::size_t rounded = 0;
+  for (const double by : {0.1, 0.21, 0.32, 0.43, 0.54, 0.65}) {
+    const ConvexPolygon floor = polygon(turned({{-4, -4, 0}, {4, -4, 0}, {4.3, 3.7, 0}, {-4, 4.1, 0}}, by));
+    rounded += floor.is_flat() ? 0 : 1;
+    const std::vector<Point3> ends = turned({{-2, -1, 3}, {1, -2, 2}}, by);
+    const IlluminationLight light{{LinearLight{ends[0], ends[1]}}, 1};
+    std::vector<Point3> box;
+    for (int c = 0; c < 8; ++c) box.push_back({c & 1 ? 3.0 : 2.0, c & 2 ? 3.5 : -2.5, c & 4 ? 2.0 : 1.0});
+    const Obstacles obstacles{{ConvexSolid::hull_of(turned(box, by))}, {}};
+    const Illumination found = illuminate({&light, 1}, obstacles, {&floor, 1}, {.tolerance = 0.05});
+    const IlluminationMesh& mesh = found.meshes.front();
+    EXPECT_EQ(mesh.unmet_faces(), 0U) << by;
+    for (const IlluminationFace& face : mesh.faces) {
+      IlluminationMesh alone;
+      alone.points = mesh.points;
+      alone.faces = {face};
+      EXPECT_GT(alone.area(), 1e-6) << by;
+    }
+  }
+  EXPECT_GT(rounded, 3U);
+}
+
 /// Where an edge of a lamp pierces the ground irradiance has many limits, at places that are no doubles.
 TEST(IlluminationDegenerate, MeetsTheToleranceAroundEdgesThatPierceTheReceiver) {
   const Light through = AreaLight{polygon({{-3, -1, -0.7}, {-3, 1, -0.7}, {-2.5, 1, 1.4}, {-2.5, -1, 1.4}})};
