@@ -43,7 +43,7 @@ struct Horizon {
 
 /// The light's directions have a positive product with `forward`, and so have those that are lifted: they stay in half
 /// a plane, in which angles are unique.
-Horizon horizon(const Point3& normal, const SightDirection& forward) {
+Horizon horizon(const Point3& normal, const VisibleDirection& forward) {
   Vector n{normal.x, normal.y, normal.z};
   if (!is_tame(dot(n, n))) n = of_size_one(n);
   if (!is_tame(dot(n, n))) throw PreconditionError("the receiver's normal has no direction");
@@ -73,11 +73,11 @@ Ends ends(const Vector& a, const Vector& b, double error) {
   return {a, b, 1 / std::sqrt(dot(a, a) * dot(b, b)), error};
 }
 
-Ends ends(const SightDirection& start, const SightDirection& end) {
+Ends ends(const VisibleDirection& start, const VisibleDirection& end) {
   return ends(vector(start), vector(end), start.error + end.error);
 }
 
-double squared_length(const SightDirection& d) {
+double squared_length(const VisibleDirection& d) {
   return dot(vector(d), vector(d));
 }
 
@@ -97,13 +97,13 @@ class ArcSum {
   }
   bool add_two(const BoundaryPiece& p, const BoundaryPiece& q);
   void add(const BoundaryPiece& piece);
-  void add(const Ends& ends, const SightDirection& normal);
-  void add_in_two(const Ends& ends, const SightDirection& normal);
-  void add_part(const Ends& ends, const SightDirection& normal);
-  void add_arc(const Ends& ends, const SightDirection& normal);
-  void add_wide_arc(const Ends& ends, const SightDirection& normal);
+  void add(const Ends& ends, const VisibleDirection& normal);
+  void add_in_two(const Ends& ends, const VisibleDirection& normal);
+  void add_part(const Ends& ends, const VisibleDirection& normal);
+  void add_arc(const Ends& ends, const VisibleDirection& normal);
+  void add_wide_arc(const Ends& ends, const VisibleDirection& normal);
   void add_on_horizon(const Ends& ends);
-  void add_crossing(const Ends& ends, const SightDirection& normal);
+  void add_crossing(const Ends& ends, const VisibleDirection& normal);
 
   const Horizon& horizon_;
   double sum_ = 0;
@@ -131,7 +131,7 @@ Number arc_error(const Number& ends_error) {
   return 1.25 * ends_error + 32 * unit;
 }
 
-inline void ArcSum::add_arc(const Ends& e, const SightDirection& normal) {
+inline void ArcSum::add_arc(const Ends& e, const VisibleDirection& normal) {
   const double x = std::max(half_angle(e.a, e.b, e.inverse), 0.0);
   if (!(x <= 0.25)) return add_wide_arc(e, normal);
   add_term(arc(horizon_.normal, e.a, e.b, e.inverse, x), arc_error(e.error));
@@ -139,7 +139,7 @@ inline void ArcSum::add_arc(const Ends& e, const SightDirection& normal) {
 
 /// Bound. The angle is off by what its ends are and 20 u, the piece's unit normal by its own error and 8 u; the cosine
 /// is at most 1 and the angle at most pi.
-void ArcSum::add_wide_arc(const Ends& e, const SightDirection& normal) {
+void ArcSum::add_wide_arc(const Ends& e, const VisibleDirection& normal) {
   const Vector n = of_size_one(vector(normal));
   const double n_length = length(n);
   const double angle = std::atan2(length(cross(e.a, e.b)), dot(e.a, e.b));
@@ -161,7 +161,7 @@ void ArcSum::add_on_horizon(const Ends& e) {
 /// Bound. Where exactly the piece is cut hardly matters: a cut at height h instead of 0 changes the sum by at most tilt
 /// * h. The ends are about a right angle apart at most, so they do not cancel: the cut is off by 1.5 times what they
 /// are.
-void ArcSum::add_crossing(const Ends& e, const SightDirection& normal) {
+void ArcSum::add_crossing(const Ends& e, const VisibleDirection& normal) {
   const double height_a = horizon_.height(e.a);
   const double height_b = horizon_.height(e.b);
   const double scale = 1 / (std::fabs(height_a) + std::fabs(height_b));
@@ -178,7 +178,7 @@ void ArcSum::add_crossing(const Ends& e, const SightDirection& normal) {
 }
 
 /// Of at most a right angle, or little more.
-inline void ArcSum::add_part(const Ends& e, const SightDirection& normal) {
+inline void ArcSum::add_part(const Ends& e, const VisibleDirection& normal) {
   const bool a_above = horizon_.height(e.a) >= 0;
   const bool b_above = horizon_.height(e.b) >= 0;
   if (a_above && b_above) return add_arc(e, normal);
@@ -189,7 +189,7 @@ inline void ArcSum::add_part(const Ends& e, const SightDirection& normal) {
 /// A quarter of a turn from its start, a piece passes n x a. Near half a turn both ends may be in the horizon up to
 /// rounding while this is far from it; so the piece is parted there. Bound. The product errs by 6 u and what its
 /// factors are off.
-void ArcSum::add_in_two(const Ends& e, const SightDirection& normal) {
+void ArcSum::add_in_two(const Ends& e, const VisibleDirection& normal) {
   const Vector middle = cross(of_size_one(vector(normal)), e.a);
   const double error = e.error + 1.1 * (e.error + normal.error + 12 * unit);
   if (!(error < 0.01)) error_ = HUGE_VAL;
@@ -197,7 +197,7 @@ void ArcSum::add_in_two(const Ends& e, const SightDirection& normal) {
   add_part(ends(middle, e.b, error), normal);
 }
 
-inline void ArcSum::add(const Ends& e, const SightDirection& normal) {
+inline void ArcSum::add(const Ends& e, const VisibleDirection& normal) {
   if (!(e.error < 0.01)) error_ = HUGE_VAL;
   if (dot(e.a, e.b) < 0) return add_in_two(e, normal);
   add_part(e, normal);
@@ -240,14 +240,14 @@ void ArcSum::add(std::span<const BoundaryPiece> pieces) {
   }
 }
 
-bool certainly_below(const Horizon& horizon, const SightDirection& d) {
+bool certainly_below(const Horizon& horizon, const VisibleDirection& d) {
   const Vector v = vector(d);
   return horizon.height(v) < -(1.01 * d.error + 12 * unit) * length_above(v);
 }
 
 }  // namespace
 
-Irradiance lambert_irradiance(const LightSeen& seen, const Point3& normal, double radiance) {
+Irradiance lambert_irradiance(const VisibleAreaLight& seen, const Point3& normal, double radiance) {
   const Horizon above = horizon(normal, seen.forward);
   const auto hidden = [&](const BoundaryPiece& piece) {
     return certainly_below(above, piece.start) && certainly_below(above, piece.end);

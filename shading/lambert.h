@@ -17,6 +17,6 @@ namespace gnomon {
 /// Exactness:  with an error bound. It grows where pieces come near half a turn, as seen from very close to the light.
 /// Units:      radiance in W/(m² sr), irradiance in W/m².
 /// After:      [P93] §3.2, [CF91] §4.3.
-Irradiance lambert_irradiance(const LightSeen& seen, const Point3& normal, double radiance);
+Irradiance lambert_irradiance(const VisibleAreaLight& seen, const Point3& normal, double radiance);
 
 }  // namespace gnomon

@@ -22,7 +22,7 @@ using shading::unit;
 constexpr double widest_bound = 1e-6;
 
 /// With coordinates that are each off by at most u times themselves; of no direction nothing is claimed.
-SightDirection rounded(const ExactVector& v) {
+VisibleDirection rounded(const ExactVector& v) {
   if (is_zero(v)) return {0, 0, 0, HUGE_VAL};
   const shading::Vector d = shading::direction_of(v);
   return {d.x, d.y, d.z, 1.01 * unit};
@@ -46,7 +46,7 @@ Irradiance sum_of(const Irradiance& a, const Irradiance& b) {
 }
 
 /// Of a facet's visible pieces, each added up for itself. A facet that turns its back gives nothing.
-Irradiance facet_irradiance(const SeenFacet& seen, bool two_sided, const ExactVector& p, const Point3& normal) {
+Irradiance facet_irradiance(const VisibleFacet& seen, bool two_sided, const ExactVector& p, const Point3& normal) {
   const ExactPlane plane = plane_through(seen.facet[0], seen.facet[1], seen.facet[2]);
   const int side = plane.height(p).sign();
   if (side == 0 || (side < 0 && !two_sided)) return {};
@@ -54,7 +54,7 @@ Irradiance facet_irradiance(const SeenFacet& seen, bool two_sided, const ExactVe
   for (const ExactPolygon& polygon : seen.visible) {
     // Counterclockwise from the front, a polygon has its planes' negative sides inside for who stands there.
     const std::vector<BoundaryPiece> boundary = boundary_of(polygon, p, side > 0);
-    const SightDirection forward = rounded(Rational(-side) * plane.normal);
+    const VisibleDirection forward = rounded(Rational(-side) * plane.normal);
     sum = sum_of(sum, lambert_irradiance({Region::penumbra, 0, 0, boundary, forward}, normal, 1));
   }
   return sum;
@@ -72,7 +72,7 @@ Irradiance positive(const Irradiance& e) {
 }
 
 /// A view of which only what is received counts.
-shading::Sight sight_of_received(const Point3& p, const Point3& normal) {
+shading::ReflectionQuery visibility_of_received(const Point3& p, const Point3& normal) {
   const shading::Vector n = shading::of_size_one({normal.x, normal.y, normal.z});
   return {p, n, n, {ReflectionModel::phong, 0}};
 }
@@ -93,16 +93,16 @@ struct Received {
     return receives(*region) ? positive(irradiance_without_size(light, receiver.point, normal)) : Irradiance{};
   }
   std::optional<Irradiance> operator()(FastLinearVisibility& level) const {
-    const std::optional<LinearLightSeen> seen = level.seen_by(receiver);
+    const std::optional<VisibleLinearLight> seen = level.visible_by(receiver);
     if (!seen) return std::nullopt;
     if (!receives(seen->region)) return Irradiance{};
     const auto& linear = std::get<LinearLight>(light);
     if (is_isotropic(linear.emission)) return if_positive(linear_irradiance(linear, *seen, receiver.point, normal));
-    const auto reflected = shading::linear_reflection(linear, *seen, sight_of_received(receiver.point, normal));
+    const auto reflected = shading::linear_reflection(linear, *seen, visibility_of_received(receiver.point, normal));
     return reflected ? std::optional(reflected->received) : std::nullopt;
   }
   std::optional<Irradiance> operator()(FastVisibility& level) const {
-    const std::optional<LightSeen> seen = level.seen_by(receiver);
+    const std::optional<VisibleAreaLight> seen = level.visible_by(receiver);
     if (!seen) return std::nullopt;
     if (!receives(seen->region)) return Irradiance{};
     return if_positive(lambert_irradiance(*seen, normal, 1));
@@ -162,10 +162,10 @@ Irradiance LightIrradiance::Work::exact_answer(const ReceiverPoint& receiver, co
   }
   if (const auto* linear = std::get_if<LinearLight>(&light_)) {
     if (is_isotropic(linear->emission)) return positive(linear_irradiance(*linear, part.intervals, p, normal));
-    return shading::linear_reflection(*linear, part.intervals, sight_of_received(p, normal)).received;
+    return shading::linear_reflection(*linear, part.intervals, visibility_of_received(p, normal)).received;
   }
   Irradiance sum;
-  for (const SeenFacet& seen : part.facets) {
+  for (const VisibleFacet& seen : part.facets) {
     sum = sum_of(sum, facet_irradiance(seen, std::get<AreaLight>(light_).two_sided, exact(p), normal));
   }
   return positive(sum);

@@ -16,7 +16,7 @@ using planar::IntervalEnd;
 
 /// A visible interval, and the signs of the heights of its ends above the horizon. Signs are decided before the
 /// rounding mode is changed: predicates need the usual one.
-struct SeenPart {
+struct VisibleShare {
   planar::VisibleInterval interval;
   int from = 0;
   int to = 0;
@@ -47,14 +47,14 @@ class Hemisphere {
     side_ = planar::orientation(light[0], light[1], receiver.point);
   }
 
-  std::vector<SeenPart> parts_of(const planar::VisibleLight& seen) const {
-    std::vector<SeenPart> parts;
+  std::vector<VisibleShare> parts_of(const planar::VisibleLight& seen) const {
+    std::vector<VisibleShare> parts;
     for (const auto& interval : seen.intervals) parts.push_back({interval, height(interval.from), height(interval.to)});
     return parts;
   }
 
   /// The integral of the cosine over a visible interval. Requires: the rounding mode protected.
-  Interval integral(const SeenPart& part) const {
+  Interval integral(const VisibleShare& part) const {
     const auto& [interval, from, to] = part;
     if (from <= 0 && to <= 0) return 0;
     // Along the light the view turns counterclockwise from the light's left side. The horizon has the sines -1 and 1.
@@ -114,20 +114,21 @@ class Hemisphere {
 
 }  // namespace
 
-BoundedIrradiance planar_irradiance(const planar::Sight& sight, const PlanarReceiverPoint& receiver, double radiance) {
+BoundedIrradiance planar_irradiance(const planar::LightVisibility& visibility, const PlanarReceiverPoint& receiver,
+                                    double radiance) {
   const Point2& normal = receiver.normal;
-  if (sight.flatland().has_point_light()) throw PreconditionError("flatland irradiance needs a linear light");
+  if (visibility.flatland().has_point_light()) throw PreconditionError("flatland irradiance needs a linear light");
   if (!std::isfinite(normal.x) || !std::isfinite(normal.y) || normal == Point2{0, 0} || !std::isfinite(radiance)) {
     throw PreconditionError("flatland irradiance needs a normal and a finite radiance");
   }
-  const auto light = sight.flatland().light();
+  const auto light = visibility.flatland().light();
   if (planar::orientation(light[0], light[1], receiver.point) == 0) return {};
-  const planar::VisibleLight seen = sight.visible_light(receiver.point);
-  const Hemisphere hemisphere(sight.flatland(), receiver);
-  const std::vector<SeenPart> parts = hemisphere.parts_of(seen);
+  const planar::VisibleLight seen = visibility.visible_light(receiver.point);
+  const Hemisphere hemisphere(visibility.flatland(), receiver);
+  const std::vector<VisibleShare> parts = hemisphere.parts_of(seen);
   const Interval::Protector upward;
   Interval sum = 0;
-  for (const SeenPart& part : parts) sum += hemisphere.integral(part);
+  for (const VisibleShare& part : parts) sum += hemisphere.integral(part);
   sum = cut(sum, 0, 2) * Interval(radiance);
   const double value = sum.inf() / 2 + sum.sup() / 2;
   // Rounded upward, as the mode is protected; one step more for the rounding of `value` itself.

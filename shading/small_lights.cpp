@@ -256,7 +256,7 @@ Irradiance linear_irradiance(const LinearLight& light, std::span<const std::arra
   return in_true_size(sum, size, 1);
 }
 
-Irradiance linear_irradiance(const LinearLight& light, const LinearLightSeen& seen, const Point3& p,
+Irradiance linear_irradiance(const LinearLight& light, const VisibleLinearLight& seen, const Point3& p,
                              const Point3& normal) {
   const Vector true_start = step(p, light.start);
   const Vector true_along = step(light.start, light.end);

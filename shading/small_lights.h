@@ -31,7 +31,7 @@ Irradiance linear_irradiance(const LinearLight& light, std::span<const std::arra
 /// The same of what the fast level sees: in doubles, with an error bound that may be infinite.
 ///
 /// Requires: p off the light's line.
-Irradiance linear_irradiance(const LinearLight& light, const LinearLightSeen& seen, const Point3& p,
+Irradiance linear_irradiance(const LinearLight& light, const VisibleLinearLight& seen, const Point3& p,
                              const Point3& normal);
 
 }  // namespace gnomon

@@ -20,11 +20,11 @@ inline constexpr double unit = 0x1p-53;
 using Vector = Vector3<double>;
 using VectorPair = Vector3<Pair>;
 
-inline Vector vector(const SightDirection& d) {
+inline Vector vector(const VisibleDirection& d) {
   return {d.x, d.y, d.z};
 }
 
-inline VectorPair vectors(const SightDirection& a, const SightDirection& b) {
+inline VectorPair vectors(const VisibleDirection& a, const VisibleDirection& b) {
   return {Pair{a.x, b.x}, Pair{a.y, b.y}, Pair{a.z, b.z}};
 }
 

@@ -49,9 +49,9 @@ PlanarLightResult computed_together(const PlaneScene& scene, std::span<const Sce
     ids.push_back(static_cast<std::uint32_t>(pair.blocker_index));
   }
   const std::size_t light = pairs.front().light_index;
-  const planar::Sight sight(planar::Flatland::from_points(scene.lights[light].vertices, segments));
+  const planar::LightVisibility visibility(planar::Flatland::from_points(scene.lights[light].vertices, segments));
   const Box2 box{{clip_box.min.x, clip_box.min.y}, {clip_box.max.x, clip_box.max.y}};
-  planar::Partition partition = planar::partition(sight, {planar::Fineness::regions, box});
+  planar::Partition partition = planar::partition(visibility, {planar::Fineness::regions, box});
   planar::PartitionInBox in_box = planar::partition_in_box(partition);
   return {static_cast<std::uint32_t>(light),
           pairs.front().light,

@@ -17,9 +17,9 @@
 #include "apps/gnomon/point_batches.h"
 #include "apps/gnomon/region_finder.h"
 #include "apps/gnomon/scene_input.h"
-#include "apps/gnomon/seen_surface.h"
 #include "apps/gnomon/shadow_summary.h"
 #include "apps/gnomon/text.h"
+#include "apps/gnomon/viewed_surface.h"
 #include "geometry/parallel.h"
 #include "gnomon/irradiance.h"
 #include "gnomon/scene.h"
@@ -94,7 +94,7 @@ class SurfaceOfGrid {
     eye_ = eye_named(options.eye, scene);
     const Material& material = chosen_material(options.material, "", scene).material;
     seen_.emplace(scene, groups_, material, obstacles_,
-                  Lookers{static_cast<unsigned>(lights_.size()), linear_search(options)});
+                  SurfaceViewers{static_cast<unsigned>(lights_.size()), linear_search(options)});
   }
 
   bool has_eye() const { return seen_.has_value(); }
@@ -139,7 +139,7 @@ class SurfaceOfGrid {
   PreparedObstacles obstacles_;
   std::vector<std::vector<LightIrradiance>> lights_;  ///< of every worker
   std::array<double, 3> eye_{};
-  std::optional<SeenSurface> seen_;  ///< with an eye
+  std::optional<ViewedSurface> seen_;  ///< with an eye
 };
 
 /// The surface that options speak of, if they do.

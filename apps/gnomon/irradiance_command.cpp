@@ -19,10 +19,10 @@
 #include "apps/gnomon/point_batches.h"
 #include "apps/gnomon/receiver_rows.h"
 #include "apps/gnomon/scene_input.h"
-#include "apps/gnomon/seen_surface.h"
 #include "apps/gnomon/sensor_files.h"
 #include "apps/gnomon/text.h"
 #include "geometry/parallel.h"
+#include "apps/gnomon/viewed_surface.h"
 #include "gnomon/irradiance.h"
 #include "gnomon/scene.h"
 #include "gnomon/visibility.h"
@@ -100,8 +100,8 @@ struct Question {
   LengthUnit unit;
   std::vector<std::vector<LightIrradiance>> lights;  ///< of each worker, for it keeps memory for the next question
   std::array<double, 3> eye{};
-  const SceneMaterial* material = nullptr;  ///< none without an eye
-  std::optional<SeenSurface> surface = {};  ///< with an eye
+  const SceneMaterial* material = nullptr;    ///< none without an eye
+  std::optional<ViewedSurface> surface = {};  ///< with an eye
 };
 
 void light_up(LitRow& lit, const RowSource& receivers, Question& question, std::size_t worker) {
@@ -180,7 +180,7 @@ Question question_of(const IrradianceOptions& options, const SpaceScene& scene, 
   question.eye = eye_named(options.eye, scene);
   question.material = &chosen_material(options.material, options.on, scene);
   question.surface.emplace(scene, question.groups, question.material->material, obstacles,
-                           Lookers{static_cast<unsigned>(question.lights.size()), linear_search(options)});
+                           SurfaceViewers{static_cast<unsigned>(question.lights.size()), linear_search(options)});
   return question;
 }
 

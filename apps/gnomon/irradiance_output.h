@@ -4,12 +4,13 @@
 #include <cstddef>
 #include <optional>
 #include <ostream>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "apps/gnomon/point_batches.h"
 #include "apps/gnomon/radiance_output.h"
-#include "apps/gnomon/seen_surface.h"
+#include "apps/gnomon/viewed_surface.h"
 #include "gnomon/irradiance.h"
 #include "gnomon/scene.h"
 

@@ -18,7 +18,7 @@
 #include "apps/gnomon/radiance_output.h"
 #include "apps/gnomon/receiver_rows.h"
 #include "apps/gnomon/scene_input.h"
-#include "apps/gnomon/seen_surface.h"
+#include "apps/gnomon/viewed_surface.h"
 #include "geometry/parallel.h"
 #include "gnomon/reflection.h"
 #include "gnomon/scene.h"
@@ -86,7 +86,7 @@ struct RadianceOutputs {
     if (options.json != "-") json_file.emplace(options.json);
     json.emplace(json_file ? json_file->stream() : std::cout, scene, material.name, names);
   }
-  void add(const SeenRow& seen) {
+  void add(const ViewedRow& seen) {
     if (csv) csv->add(seen);
     if (json) json->add(seen);
   }
@@ -102,12 +102,12 @@ ExitCode write_radiance(const RadianceOptions& options, const SpaceScene& scene,
   const SceneMaterial& material = chosen_material(options.material, options.on, scene);
   const std::vector<LightGroup> lights = chosen_groups(scene, options.light);
   const unsigned threads = thread_count(options.threads);
-  SeenSurface surface(scene, lights, material.material, obstacles, {threads, linear_search(options)});
+  ViewedSurface surface(scene, lights, material.material, obstacles, {threads, linear_search(options)});
   RadianceOutputs outputs(options, scene, views.header, material, lights);
   Progress progress("point", views.count, progress_visibility(options.quiet, options.out.empty()));
   std::size_t points = 0, malformed_lines = 0;
   for (auto batch = views.next_batch(); !batch.empty(); batch = views.next_batch()) {
-    std::vector<SeenRow> rows;
+    std::vector<ViewedRow> rows;
     for (TableRow& row : batch) rows.push_back({std::move(row), {}});
     for_all(rows.size(), threads, [&](std::size_t i, std::size_t worker) {
       const auto* row = std::get_if<PointRow>(&rows[i].row);
@@ -115,7 +115,7 @@ ExitCode write_radiance(const RadianceOptions& options, const SpaceScene& scene,
       const auto& [x, y, z] = row->normal;
       rows[i].reflected = surface.at(worker, views.receiver_of(*row), {x, y, z}, row->eye);
     });
-    for (const SeenRow& seen : rows) {
+    for (const ViewedRow& seen : rows) {
       outputs.add(seen);
       const auto* malformed = std::get_if<MalformedRow>(&seen.row);
       ++(malformed ? malformed_lines : points);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::array channel_names{"r", "g", "b"};
 
-nlohmann::ordered_json seen_json(const SeenRow& seen, const std::vector<std::string>& lights) {
+nlohmann::ordered_json seen_json(const ViewedRow& seen, const std::vector<std::string>& lights) {
   if (const auto* malformed = std::get_if<MalformedRow>(&seen.row)) {
     return {{"line", malformed->line}, {"problem", malformed->problem}};
   }
@@ -71,7 +71,7 @@ void RadianceCsv::add_line(const std::string& fields, const std::string& light, 
   stream_ << fields << ',' << light << columns_.text(radiance) << '\n';
 }
 
-void RadianceCsv::add(const SeenRow& seen) {
+void RadianceCsv::add(const ViewedRow& seen) {
   const auto* row = std::get_if<PointRow>(&seen.row);
   if (!row) return;
   for (std::size_t l = 0; l < lights_.size(); ++l) add_line(row->text, lights_[l], seen.reflected.lights[l]);
@@ -90,7 +90,7 @@ RadianceJson::RadianceJson(std::ostream& stream, const SpaceScene& scene, const 
           << ",\n  \"radiance_unit\": \"W/(m^2 sr)\",\n  \"points\": [";
 }
 
-void RadianceJson::add(const SeenRow& seen) {
+void RadianceJson::add(const ViewedRow& seen) {
   stream_ << (std::exchange(first_, false) ? "\n    " : ",\n    ") << seen_json(seen, lights_).dump();
 }
 

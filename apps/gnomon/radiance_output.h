@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "apps/gnomon/point_batches.h"
-#include "apps/gnomon/seen_surface.h"
+#include "apps/gnomon/viewed_surface.h"
 #include "gnomon/reflection.h"
 #include "gnomon/scene.h"
 
 namespace gnomon {
 
 /// A row of the table of views, and the radiance that it sees of each light and of what comes from everywhere.
-struct SeenRow {
+struct ViewedRow {
   TableRow row;
   ReflectedLights reflected;  ///< none for a malformed row
 };
@@ -35,7 +35,7 @@ nlohmann::ordered_json radiance_json(const RadianceRgb& radiance, const std::str
 class RadianceCsv {
  public:
   RadianceCsv(std::ostream& stream, const std::string& header, std::vector<std::string> lights, bool coloured);
-  void add(const SeenRow& seen);
+  void add(const ViewedRow& seen);
 
  private:
   void add_line(const std::string& fields, const std::string& light, const RadianceRgb& radiance);
@@ -50,7 +50,7 @@ class RadianceJson {
  public:
   RadianceJson(std::ostream& stream, const SpaceScene& scene, const std::string& material,
                std::vector<std::string> lights);
-  void add(const SeenRow& seen);
+  void add(const ViewedRow& seen);
   void finish(std::size_t points, std::size_t malformed_lines);
 
  private:

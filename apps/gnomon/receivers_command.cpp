@@ -12,9 +12,9 @@
 #include "apps/gnomon/discontinuity_output.h"
 #include "apps/gnomon/output_place.h"
 #include "apps/gnomon/receiver_json.h"
+#include "apps/gnomon/receiver_reflection.h"
 #include "apps/gnomon/scene_discontinuities.h"
 #include "apps/gnomon/scene_input.h"
-#include "apps/gnomon/seen_receivers.h"
 #include "apps/gnomon/shadow_json.h"
 #include "apps/gnomon/text.h"
 #include "gnomon/scene.h"
@@ -28,7 +28,7 @@ struct ReceiversOptions : CommonOptions {
   std::string receiver;
   std::string format = "vtm";
   std::string mesh;
-  ReceiversSeen seen;
+  ReceiverViews seen;
 };
 
 void add_options(CommandLine& app, ReceiversOptions& options) {

@@ -25,14 +25,14 @@ RegionFinder finder_of(const SpaceScene& scene, const std::string& light, unsign
   }
   finder.at = [of_workers](std::size_t worker, const std::array<double, 3>& p) {
     std::vector<Visibility> seen;
-    for (PartsVisibility& light_seen : (*of_workers)[worker]) seen.push_back(light_seen.at({p[0], p[1], p[2]}));
+    for (PartsVisibility& visible_light : (*of_workers)[worker]) seen.push_back(visible_light.at({p[0], p[1], p[2]}));
     return seen;
   };
   finder.received = [of_workers, obstacles](std::size_t worker, const std::array<double, 3>& p,
                                             const std::array<double, 3>& n) {
     const ReceiverPoint receiver = resting_point(obstacles, {p[0], p[1], p[2]}, {n[0], n[1], n[2]});
     std::vector<Visibility> seen;
-    for (PartsVisibility& light_seen : (*of_workers)[worker]) seen.push_back(light_seen.received(receiver));
+    for (PartsVisibility& visible_light : (*of_workers)[worker]) seen.push_back(visible_light.received(receiver));
     return seen;
   };
   finder.is_within_rounding = [obstacles](const std::array<double, 3>& p) {
@@ -41,23 +41,24 @@ RegionFinder finder_of(const SpaceScene& scene, const std::string& light, unsign
   return finder;
 }
 
-Visibility visibility_in_plane(const planar::Sight& sight, const Point2& p) {
-  const planar::VisibleLight seen = sight.visible_light(p);
+Visibility visibility_in_plane(const planar::LightVisibility& visibility, const Point2& p) {
+  const planar::VisibleLight seen = visibility.visible_light(p);
   const planar::VisibleFraction fraction = visible_fraction(seen);
   return {seen.region, fraction.value, fraction.error};
 }
 
 RegionFinder finder_of(const PlaneScene& scene, const std::string& light, unsigned threads, const LinearSearch&) {
-  const auto sights = std::make_shared<std::vector<planar::Sight>>();
+  const auto visibilities = std::make_shared<std::vector<planar::LightVisibility>>();
   RegionFinder finder;
   finder.threads = threads;
   for (const PlanarLight* l : chosen_lights(scene.lights, light)) {
     finder.lights.push_back(l->name);
-    sights->push_back(planar_sight(scene, *l));
+    visibilities->push_back(planar_visibility(scene, *l));
   }
-  finder.at = [sights](std::size_t, const std::array<double, 3>& p) {
+  finder.at = [visibilities](std::size_t, const std::array<double, 3>& p) {
     std::vector<Visibility> seen;
-    for (const planar::Sight& sight : *sights) seen.push_back(visibility_in_plane(sight, {p[0], p[1]}));
+    for (const planar::LightVisibility& visibility : *visibilities)
+      seen.push_back(visibility_in_plane(visibility, {p[0], p[1]}));
     return seen;
   };
   return finder;

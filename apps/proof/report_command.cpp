@@ -41,7 +41,7 @@ void add_options(CommandLine& app, ReportOptions& options) {
 }
 
 std::vector<report::Measurement> measurements(const ReportOptions& options, Progress::Visibility shown) {
-  std::vector<report::Task> tasks = report::sight_tasks(options.effort());
+  std::vector<report::Task> tasks = report::visibility_tasks(options.effort());
   for (const auto& more : {report::volume_tasks(options.effort()), report::receiver_tasks(options.effort())}) {
     tasks.insert(tasks.end(), more.begin(), more.end());
   }

@@ -7,7 +7,7 @@
 #include "geometry/conics/near_curve.h"
 #include "geometry/discontinuity/closing_triples.h"
 #include "geometry/discontinuity/open_lines.h"
-#include "geometry/discontinuity/outline.h"
+#include "geometry/discontinuity/silhouette_edges.h"
 
 // l(t): the point of one of three edges, the base, at the share t of its length. The planes through l(t) and either of
 // the other two, j and k, meet the receiver's plane in lines that turn about points as t grows, and p(t), where the two
@@ -66,7 +66,8 @@ Rational half_width_of(const FaceBox& box) {
 /// Traces triples on a receiver's plane.
 class TripleTracer {
  public:
-  TripleTracer(const std::vector<Outline>& edges, const OpenLines& open, const ReceiverPlane& plane, const FaceBox& box)
+  TripleTracer(const std::vector<SilhouetteEdge>& edges, const OpenLines& open, const ReceiverPlane& plane,
+               const FaceBox& box)
       : edges_(edges), open_(open), plane_(plane), box_(box), half_width_(half_width_of(box)) {
     origin_ = plane.spatial(FlatPoint{0, 0});
     along_x_ = plane.spatial(FlatPoint{1, 0}) - origin_;
@@ -78,13 +79,14 @@ class TripleTracer {
     std::vector<conic::FlatArc> found;
     bool is_general = true;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Outline &i = edges_[triple[k]], &j = edges_[triple[(k + 1) % 3]], &other = edges_[triple[(k + 2) % 3]];
+      const SilhouetteEdge &i = edges_[triple[k]], &j = edges_[triple[(k + 1) % 3]],
+                           &other = edges_[triple[(k + 2) % 3]];
       if (!are_coplanar(i, j)) continue;
       is_general = false;
       append_trace_of_coplanar(i, j, other, found);
     }
     if (!is_general) return found;
-    std::array<const Outline*, 3> edges{&edges_[triple[0]], &edges_[triple[1]], &edges_[triple[2]]};
+    std::array<const SilhouetteEdge*, 3> edges{&edges_[triple[0]], &edges_[triple[1]], &edges_[triple[2]]};
     // At the foot of a base on the plane the lines would be told by a point alone.
     for (std::size_t k = 1; k < 3 && !edges[0]->is_of_light && touches_plane(*edges[0]); ++k) {
       std::swap(edges[0], edges[k]);
@@ -94,13 +96,13 @@ class TripleTracer {
   }
 
  private:
-  bool touches_plane(const Outline& e) const { return is_on(plane_, e.a) || is_on(plane_, e.b); }
+  bool touches_plane(const SilhouetteEdge& e) const { return is_on(plane_, e.a) || is_on(plane_, e.b); }
 
   static Rational volume(const ExactVector& p, const ExactVector& a, const ExactVector& b, const ExactVector& c) {
     return dot(cross(a - p, b - p), c - p);
   }
 
-  static bool are_coplanar(const Outline& i, const Outline& j) {
+  static bool are_coplanar(const SilhouetteEdge& i, const SilhouetteEdge& j) {
     const auto near = certain_sign(dot(cross(i.b.near - i.a.near, j.a.near - i.a.near), j.b.near - i.a.near));
     if (near) return *near == 0;
     return volume(i.a.exact, i.b.exact, j.a.exact, j.b.exact) == 0;
@@ -112,16 +114,16 @@ class TripleTracer {
     return {dot(normal, origin_ - p), dot(normal, along_x_), dot(normal, along_y_)};
   }
 
-  conic::LinePencil pencil(const Outline& base, const Outline& edge) const {
+  conic::LinePencil pencil(const SilhouetteEdge& base, const SilhouetteEdge& edge) const {
     return conic::line_pencil(trace(base.a.exact, edge.a.exact, edge.b.exact),
                               trace(base.b.exact, edge.a.exact, edge.b.exact));
   }
 
-  void append_arcs(const std::array<const Outline*, 3>& edges, std::vector<conic::FlatArc>& found) const {
+  void append_arcs(const std::array<const SilhouetteEdge*, 3>& edges, std::vector<conic::FlatArc>& found) const {
     const std::vector<NearRange> open = open_.ranges(edges);
     if (open.empty()) return;
-    const Outline &base = *edges[0], &j = *edges[1], &k = *edges[2];
-    const auto sides = [&](const Outline& edge, const ExactVector& x) -> std::array<Rational, 2> {
+    const SilhouetteEdge &base = *edges[0], &j = *edges[1], &k = *edges[2];
+    const auto sides = [&](const SilhouetteEdge& edge, const ExactVector& x) -> std::array<Rational, 2> {
       return {volume(base.a.exact, edge.a.exact, edge.b.exact, x), volume(base.b.exact, edge.a.exact, edge.b.exact, x)};
     };
     const auto meets_j = ranges_of_difference(sides(k, j.a.exact), sides(k, j.b.exact));
@@ -138,7 +140,7 @@ class TripleTracer {
 
   /// The lines in the edges' common plane are traced with wedges (coplanar_pairs). Left are those through the point
   /// where the two cross.
-  void append_trace_of_coplanar(const Outline& i, const Outline& j, const Outline& other,
+  void append_trace_of_coplanar(const SilhouetteEdge& i, const SilhouetteEdge& j, const SilhouetteEdge& other,
                                 std::vector<conic::FlatArc>& found) const {
     const ExactVector &a = i.a.exact, &b = i.b.exact, &c = j.a.exact, &d = j.b.exact;
     // Share of the way from a to b at which j's line is met, by areas in the plane of the two.
@@ -149,7 +151,7 @@ class TripleTracer {
     const ExactVector meeting = a + share * (b - a);
     if (dot(c - meeting, d - meeting) >= 0) return;  // at an end of j, or beyond
     // If neither parts the other's ends, that goes through the point, or all three lie in one plane.
-    const Outline* parting = !are_coplanar(i, other) ? &i : !are_coplanar(j, other) ? &j : nullptr;
+    const SilhouetteEdge* parting = !are_coplanar(i, other) ? &i : !are_coplanar(j, other) ? &j : nullptr;
     if (parting == nullptr) return;
     const std::array<Rational, 3> line = trace(meeting, other.a.exact, other.b.exact);
     if (line[1] == 0 && line[2] == 0) return;
@@ -160,7 +162,7 @@ class TripleTracer {
     }
   }
 
-  const std::vector<Outline>& edges_;
+  const std::vector<SilhouetteEdge>& edges_;
   const OpenLines& open_;
   const ReceiverPlane& plane_;
   FaceBox box_;
@@ -267,8 +269,8 @@ std::vector<Place> corners_of(std::span<const FacePiece> pieces) {
 }
 
 /// Only points on an edge's line see an edge in the receiver's plane in line with others.
-std::vector<Outline> edges_off_plane(std::vector<Outline> edges, const ReceiverPlane& plane) {
-  std::erase_if(edges, [&](const Outline& e) { return is_on(plane, e.a) && is_on(plane, e.b); });
+std::vector<SilhouetteEdge> edges_off_plane(std::vector<SilhouetteEdge> edges, const ReceiverPlane& plane) {
+  std::erase_if(edges, [&](const SilhouetteEdge& e) { return is_on(plane, e.a) && is_on(plane, e.b); });
   return edges;
 }
 
@@ -277,16 +279,16 @@ std::vector<Outline> edges_off_plane(std::vector<Outline> edges, const ReceiverP
 ClosingArcs closing_arcs(const EventScene& scene, std::span<const ShapeId> shapes, std::span<const FacePiece> pieces,
                          const ReceiverPlane& plane) {
   const CGAL::Protect_FPU_rounding<true> upward;
-  const NumberedOutlines outlines(edges_off_plane(event::outlines(scene, shapes), plane));
+  const NumberedSilhouettes silhouette_edges(edges_off_plane(event::silhouette_edges(scene, shapes), plane));
   const std::vector<EdgeTriple> triples =
-      closing_triples(outlines, corners_of(pieces), scene.kind == LightKind::linear);
+      closing_triples(silhouette_edges, corners_of(pieces), scene.kind == LightKind::linear);
   ClosingArcs found;
   if (triples.empty()) return found;
   std::vector<FlatTriangle> triangles;
   for (const FacePiece& piece : pieces) triangles.emplace_back(piece, plane);
   const std::vector<FlatEnclosure> boxes = boxes_around(triangles);
   const OpenLines open_lines(scene, shapes, plane, boxes);
-  const TripleTracer tracer(outlines.edges, open_lines, plane, box_around(boxes));
+  const TripleTracer tracer(silhouette_edges.edges, open_lines, plane, box_around(boxes));
   for (const EdgeTriple& triple : triples) {
     std::vector<conic::FlatArc> traces = tracer.traces(triple);
     std::erase_if(traces, [&](const conic::FlatArc& arc) {
@@ -296,8 +298,8 @@ ClosingArcs closing_arcs(const EventScene& scene, std::span<const ShapeId> shape
     if (traces.empty()) continue;
     const auto name = static_cast<std::uint32_t>(found.names.size());
     for (conic::FlatArc& arc : traces) found.arcs.push_back({std::move(arc), name});
-    found.names.push_back(
-        {outlines.edges[triple[0]].name, outlines.edges[triple[1]].name, outlines.edges[triple[2]].name});
+    found.names.push_back({silhouette_edges.edges[triple[0]].name, silhouette_edges.edges[triple[1]].name,
+                           silhouette_edges.edges[triple[2]].name});
   }
   return found;
 }

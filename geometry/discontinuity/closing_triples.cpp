@@ -55,13 +55,13 @@ class WholePlane {
 /// A face and the edges that may matter to it.
 class EdgesOfFace {
  public:
-  EdgesOfFace(const NumberedOutlines& numbered, std::span<const Place> corners)
+  EdgesOfFace(const NumberedSilhouettes& numbered, std::span<const Place> corners)
       : numbered_(numbered),
         edges_(numbered.edges),
         corners_(corners),
         known_sides_(numbered.edges.size() * numbered.points.size(), unknown_sides) {
     normals_.reserve(edges_.size() * corners.size());
-    for (const Outline& e : edges_) {
+    for (const SilhouetteEdge& e : edges_) {
       for (const Place& p : corners) normals_.push_back(cross(e.a.near - p.near, e.b.near - p.near));
       whole_ends_.push_back({whole_coordinates(e.a.exact), whole_coordinates(e.b.exact)});
     }
@@ -138,8 +138,8 @@ class EdgesOfFace {
 
   static constexpr std::uint8_t unknown_sides = 4;
 
-  const NumberedOutlines& numbered_;
-  const std::vector<Outline>& edges_;
+  const NumberedSilhouettes& numbered_;
+  const std::vector<SilhouetteEdge>& edges_;
   std::span<const Place> corners_;
   std::vector<Quadruple<Integer>> whole_corners_;
   std::vector<std::array<Quadruple<Integer>, 2>> whole_ends_;  ///< of edges
@@ -150,9 +150,11 @@ class EdgesOfFace {
 /// Finds triples that cross pairwise, by ascending indices.
 class TripleSearch {
  public:
-  TripleSearch(const NumberedOutlines& outlines, std::span<const Place> corners)
-      : outlines_(outlines), edges_(outlines, corners), crossed_(outlines.edges.size()) {
-    const std::size_t n = outlines.edges.size();
+  TripleSearch(const NumberedSilhouettes& silhouette_edges, std::span<const Place> corners)
+      : silhouette_edges_(silhouette_edges),
+        edges_(silhouette_edges, corners),
+        crossed_(silhouette_edges.edges.size()) {
+    const std::size_t n = silhouette_edges.edges.size();
     hidden_.assign(n, Hidden::none);
     for (std::uint32_t i = 0; i < n; ++i) {
       if (edges_.is_beside_light(i)) continue;
@@ -167,7 +169,7 @@ class TripleSearch {
   std::vector<EdgeTriple> triples(bool is_linear) const {
     std::vector<EdgeTriple> found;
     for (const std::uint32_t i : near_) {
-      if (is_linear && !outlines_.edges[i].is_of_light) break;
+      if (is_linear && !silhouette_edges_.edges[i].is_of_light) break;
       for (const Crossed& ij : crossed_[i]) append(i, ij, found);
     }
     return found;
@@ -180,7 +182,7 @@ class TripleSearch {
   };
 
   void find_crossing(std::uint32_t i, std::uint32_t j) {
-    if (belong_together(outlines_.edges[i], outlines_.edges[j])) return;
+    if (belong_together(silhouette_edges_.edges[i], silhouette_edges_.edges[j])) return;
     const Crossing way = edges_.crossing(i, j);
     if (way != Crossing::never) crossed_[i].push_back({j, way});
   }
@@ -204,7 +206,7 @@ class TripleSearch {
            std::none_of(std::begin(turns), std::end(turns), is_down);
   }
 
-  const NumberedOutlines& outlines_;
+  const NumberedSilhouettes& silhouette_edges_;
   EdgesOfFace edges_;
   std::vector<Hidden> hidden_;                 ///< of each edge; none of those that do not matter
   std::vector<std::uint32_t> near_;            ///< edges that may matter
@@ -213,9 +215,9 @@ class TripleSearch {
 
 }  // namespace
 
-std::vector<EdgeTriple> closing_triples(const NumberedOutlines& outlines, std::span<const Place> corners,
+std::vector<EdgeTriple> closing_triples(const NumberedSilhouettes& silhouette_edges, std::span<const Place> corners,
                                         bool is_linear) {
-  return TripleSearch(outlines, corners).triples(is_linear);
+  return TripleSearch(silhouette_edges, corners).triples(is_linear);
 }
 
 }  // namespace gnomon::event

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/discontinuity/outline.h"
+#include "geometry/discontinuity/silhouette_edges.h"
 
 namespace gnomon::event {
 
@@ -16,7 +16,7 @@ using EdgeTriple = std::array<std::uint32_t, 3>;
 /// of an outline; or what they leave open has a direction in common. For the rest see closing_arcs.h.
 /// Parameters: corners  in whose convex hull the face lies.
 /// Exactness:  intervals, and exact arithmetic where these do not tell.
-std::vector<EdgeTriple> closing_triples(const NumberedOutlines& outlines, std::span<const Place> corners,
+std::vector<EdgeTriple> closing_triples(const NumberedSilhouettes& silhouette_edges, std::span<const Place> corners,
                                         bool is_linear);
 
 }  // namespace gnomon::event

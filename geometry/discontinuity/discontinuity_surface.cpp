@@ -32,7 +32,7 @@ struct Slope {
 
 /// What stops a wedge: a convex polygon or segment. One that holds the apex stops all lines in its inside at once.
 struct Stopper {
-  std::vector<Place> outline;
+  std::vector<Place> silhouette;
   bool holds_apex = false;
 };
 
@@ -80,20 +80,20 @@ class SurfaceBuilder {
   Stopper stopper(const Pencil& pencil, const std::vector<event::NodeId>& polygon) const {
     Stopper result;
     for (const event::NodeId node : polygon) {
-      if (!pencil.is_apex(node)) result.outline.push_back(place(pencil, node));
+      if (!pencil.is_apex(node)) result.silhouette.push_back(place(pencil, node));
     }
-    result.holds_apex = result.outline.size() < polygon.size();
+    result.holds_apex = result.silhouette.size() < polygon.size();
     return result;
   }
 
   /// The least depth at which a stopper meets a line; nothing if it does not.
-  static std::optional<Rational> depth_at(const std::vector<Place>& outline, const Rational& turn) {
+  static std::optional<Rational> depth_at(const std::vector<Place>& silhouette, const Rational& turn) {
     std::optional<Rational> least;
     const auto keep = [&](const Rational& depth) {
       if (!least || depth < *least) least = depth;
     };
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-      const Place &p = outline[i], &q = outline[(i + 1) % outline.size()];
+    for (std::size_t i = 0; i < silhouette.size(); ++i) {
+      const Place &p = silhouette[i], &q = silhouette[(i + 1) % silhouette.size()];
       if (p.turn == turn) keep(p.depth);
       if ((p.turn < turn) == (q.turn < turn) || p.turn == turn || q.turn == turn) continue;
       keep(p.depth + Rational((turn - p.turn) / (q.turn - p.turn)) * (q.depth - p.depth));
@@ -104,7 +104,7 @@ class SurfaceBuilder {
   void add_range(const Rational& first, const Rational& last) {
     std::vector<Rational> turns{first, last};
     for (const Stopper& s : stoppers_) {
-      for (const Place& p : s.outline) {
+      for (const Place& p : s.silhouette) {
         if (p.turn > first && p.turn < last) turns.push_back(p.turn);
       }
     }
@@ -118,9 +118,9 @@ class SurfaceBuilder {
     std::vector<Slope> slopes;
     const Rational middle = (first + last) / 2;
     for (const Stopper& s : stoppers_) {
-      if (!depth_at(s.outline, middle)) continue;
+      if (!depth_at(s.silhouette, middle)) continue;
       if (s.holds_apex) return;
-      const auto at_first = depth_at(s.outline, first), at_last = depth_at(s.outline, last);
+      const auto at_first = depth_at(s.silhouette, first), at_last = depth_at(s.silhouette, last);
       if (at_first && at_last) slopes.push_back({*at_first, *at_last});
     }
     Rational share = 0;

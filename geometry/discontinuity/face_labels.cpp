@@ -9,8 +9,8 @@
 
 #include "geometry/bodies/closed_surface.h"
 #include "geometry/discontinuity/arc_faces.h"
-#include "geometry/discontinuity/quick_sight.h"
-#include "geometry/discontinuity/receiver_sight.h"
+#include "geometry/discontinuity/quick_visibility.h"
+#include "geometry/discontinuity/receiver_visibility.h"
 #include "geometry/discontinuity/shaft.h"
 #include "geometry/parallel.h"
 
@@ -47,7 +47,7 @@ class FaceAsker {
       : lit_(lit),
         data_(data),
         quick_(lit.scene, lit.shadows, lit.receiver, lit.before),
-        sight_(lit.scene, lit.light, lit.blockers, lit.receiver, data.plane) {}
+        visibility_(lit.scene, lit.light, lit.blockers, lit.receiver, data.plane) {}
 
   /// What intervals tell of a face.
   std::optional<QuickAnswer> quick_answer(std::uint32_t f) {
@@ -71,10 +71,10 @@ class FaceAsker {
     const ExactVector inside = data_.plane.spatial(data_.arrangement.inner_point(f));
     const std::vector<ExactVector> vertices = vertices_of(data_, data_.faces[f]);
     const FaceRegion found =
-        sight_.region_of_face({inside, vertices, [&](ShapeId s) { return hides_light_from(f, s); }});
+        visibility_.region_of_face({inside, vertices, [&](ShapeId s) { return hides_light_from(f, s); }});
     if (found.is_certain) return {static_cast<ReceiverRegion>(found.region), std::nullopt};
     const ClosingArcs arcs =
-        closing_arcs(lit_.scene, sight_.blockers_near(vertices), face_pieces(data_, data_.faces[f]), data_.plane);
+        closing_arcs(lit_.scene, visibility_.blockers_near(vertices), face_pieces(data_, data_.faces[f]), data_.plane);
     if (arcs.arcs.empty()) return {static_cast<ReceiverRegion>(found.region), std::nullopt};
     return divided_face(f, arcs);
   }
@@ -85,7 +85,7 @@ class FaceAsker {
     const conic::CurveMap map(sides.sides, arcs.arcs);
     if (!map.is_complete()) return {ReceiverRegion::unresolved_eee, std::nullopt};
     FaceCells cells = face_cells(map, sides.sides, [&](const FlatPoint& p) {
-      return static_cast<ReceiverRegion>(sight_.region_of(data_.plane.spatial(p)));
+      return static_cast<ReceiverRegion>(visibility_.region_of(data_.plane.spatial(p)));
     });
     const ReceiverRegion first = cells.cells.front().region;
     if (!cells.is_divided()) return {first, std::nullopt};
@@ -130,8 +130,8 @@ class FaceAsker {
 
   const LitReceiver& lit_;
   const ReceiverMesh::Data& data_;
-  QuickSight quick_;
-  ReceiverSight sight_;
+  QuickVisibility quick_;
+  ReceiverVisibility visibility_;
   std::vector<std::uint32_t> near_;
 };
 

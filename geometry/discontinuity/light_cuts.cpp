@@ -14,11 +14,11 @@ class LightCuts {
   std::vector<LightCut> of_area_light() {
     const auto& l = scene_.light_plane;
     const ReceiverPlane plane(scene_.points[l[0]].input, scene_.points[l[1]].input, scene_.points[l[2]].input);
-    std::vector<FlatPoint> outline;
-    for (const LightVertex& v : scene_.light_vertices) outline.push_back(plane.flat(at(v.point)));
+    std::vector<FlatPoint> silhouette;
+    for (const LightVertex& v : scene_.light_vertices) silhouette.push_back(plane.flat(at(v.point)));
     for (const Shape& shape : scene_.shapes) {
-      if (!shape.is_solid) add_segment(shape.corners, plane, outline);
-      for (const auto& loop : shape.facets) add_segment(loop, plane, outline);
+      if (!shape.is_solid) add_segment(shape.corners, plane, silhouette);
+      for (const auto& loop : shape.facets) add_segment(loop, plane, silhouette);
     }
     return std::move(cuts_);
   }
@@ -26,12 +26,12 @@ class LightCuts {
   std::vector<ExactVector> touches_of_area_light() {
     const auto& l = scene_.light_plane;
     const ReceiverPlane plane(scene_.points[l[0]].input, scene_.points[l[1]].input, scene_.points[l[2]].input);
-    std::vector<FlatPoint> outline;
-    for (const LightVertex& v : scene_.light_vertices) outline.push_back(plane.flat(at(v.point)));
+    std::vector<FlatPoint> silhouette;
+    for (const LightVertex& v : scene_.light_vertices) silhouette.push_back(plane.flat(at(v.point)));
     std::vector<ExactVector> touches;
     const auto add = [&](const std::vector<PointId>& loop) {
       for (const FlatPoint& p : ends_in_light_plane(loop, plane)) {
-        if (is_in(p, outline)) touches.push_back(plane.spatial(p));
+        if (is_in(p, silhouette)) touches.push_back(plane.spatial(p));
       }
     };
     for (const Shape& shape : scene_.shapes) {
@@ -53,10 +53,10 @@ class LightCuts {
  private:
   ExactVector at(PointId id) const { return exact(scene_.points[id].input); }
 
-  static bool is_in(const FlatPoint& p, const std::vector<FlatPoint>& outline) {
+  static bool is_in(const FlatPoint& p, const std::vector<FlatPoint>& silhouette) {
     Sides sides;
-    for (std::size_t k = 0; k < outline.size(); ++k) {
-      const FlatPoint &a = outline[k], &b = outline[(k + 1) % outline.size()];
+    for (std::size_t k = 0; k < silhouette.size(); ++k) {
+      const FlatPoint &a = silhouette[k], &b = silhouette[(k + 1) % silhouette.size()];
       sides.add(Rational((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)).sign());
     }
     return !sides.cross();
@@ -82,11 +82,11 @@ class LightCuts {
 
   /// The part of a loop's polygon in the light's plane, inside the light.
   void add_segment(const std::vector<PointId>& loop, const ReceiverPlane& plane,
-                   const std::vector<FlatPoint>& outline) {
+                   const std::vector<FlatPoint>& silhouette) {
     const std::vector<FlatPoint> ends = ends_in_light_plane(loop, plane);
     if (ends.size() != 2) return;
     FlatSegment segment{ends[0], ends[1], 0};
-    if (!clip(segment, outline)) return;
+    if (!clip(segment, silhouette)) return;
     cuts_.push_back({{constructed_point(plane.spatial(segment.start)), constructed_point(plane.spatial(segment.end))}});
   }
 

@@ -29,7 +29,7 @@ struct Signs {
 /// the plane through q and the other edge if q lies between the planes through that edge and either end.
 class EdgeEnds {
  public:
-  void add(const Outline& base, const Outline& edge, const Outline& other) {
+  void add(const SilhouetteEdge& base, const SilhouetteEdge& edge, const SilhouetteEdge& other) {
     for (const Place* end : {&edge.a, &edge.b}) {
       const NearPlane plane = near_plane(other.a.near, other.b.near, end->near);
       const Interval at_a = dot(plane.normal, base.a.near) + plane.offset;
@@ -115,7 +115,7 @@ class OpenLines::Question {
 
   /// A line in a plane through p and an edge with the shape on one side does not pass through it.
   bool is_own(const NearShape& shape) const {
-    return std::any_of(lines_.edges().begin(), lines_.edges().end(), [&](const Outline* e) {
+    return std::any_of(lines_.edges().begin(), lines_.edges().end(), [&](const SilhouetteEdge* e) {
       return std::find(e->shapes.begin(), e->shapes.end(), shape.shape) != e->shapes.end();
     });
   }
@@ -259,8 +259,8 @@ class OpenLines::Question {
     return most;
   }
 
-  const Outline& edge(std::size_t k) const { return *lines_.edges()[k]; }
-  const Outline& base() const { return edge(0); }
+  const SilhouetteEdge& edge(std::size_t k) const { return *lines_.edges()[k]; }
+  const SilhouetteEdge& base() const { return edge(0); }
 
   const OpenLines& all_;
   const RuledLines& lines_;
@@ -288,7 +288,7 @@ OpenLines::OpenLines(const EventScene& scene, std::span<const ShapeId> shapes, c
   for (const ShapeId s : shapes) shapes_.push_back(near_shape(s));
 }
 
-std::vector<NearRange> OpenLines::ranges(const std::array<const Outline*, 3>& edges) const {
+std::vector<NearRange> OpenLines::ranges(const std::array<const SilhouetteEdge*, 3>& edges) const {
   EdgeEnds ends;
   ends.add(*edges[0], *edges[1], *edges[2]);
   ends.add(*edges[0], *edges[2], *edges[1]);
@@ -297,8 +297,9 @@ std::vector<NearRange> OpenLines::ranges(const std::array<const Outline*, 3>& ed
   return Question(*this, lines, ends).ranges({0, 1});
 }
 
-std::vector<NearRange> OpenLines::ranges(const std::array<const Outline*, 3>& edges, const Outline& parting,
-                                         const conic::FlatCurve& line, const NearRange& range) const {
+std::vector<NearRange> OpenLines::ranges(const std::array<const SilhouetteEdge*, 3>& edges,
+                                         const SilhouetteEdge& parting, const conic::FlatCurve& line,
+                                         const NearRange& range) const {
   // Where a linear light touches a blocker's edge, another blocker's edge may be the base.
   if (scene_.kind != LightKind::area && !edges[0]->is_of_light) return {range};
   const RuledLines lines(edges, parting, line, frame_);

@@ -32,9 +32,9 @@ class OpenLines {
             std::vector<FlatEnclosure> boxes);
 
   /// Of three edges no two of which lie in one plane, as shares of the first of them.
-  std::vector<NearRange> ranges(const std::array<const Outline*, 3>& edges) const;
+  std::vector<NearRange> ranges(const std::array<const SilhouetteEdge*, 3>& edges) const;
   /// Of the last two of three edges where they cross, along a straight line; see RuledLines.
-  std::vector<NearRange> ranges(const std::array<const Outline*, 3>& edges, const Outline& parting,
+  std::vector<NearRange> ranges(const std::array<const SilhouetteEdge*, 3>& edges, const SilhouetteEdge& parting,
                                 const conic::FlatCurve& line, const NearRange& range) const;
 
  private:

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "geometry/discontinuity/event_scene.h"
-#include "geometry/discontinuity/outline.h"
+#include "geometry/discontinuity/silhouette_edges.h"
 
 namespace gnomon::event {
 

@@ -11,7 +11,7 @@
 #include "geometry/discontinuity/light_before.h"
 #include "geometry/discontinuity/plane_traces.h"
 #include "geometry/discontinuity/receiver_mesh_data.h"
-#include "geometry/discontinuity/receiver_sight.h"
+#include "geometry/discontinuity/receiver_visibility.h"
 #include "geometry/discontinuity/wedge.h"
 #include "geometry/parallel.h"
 #include "gnomon/errors.h"
@@ -267,15 +267,15 @@ std::vector<bool> vertices_off_umbra(const ReceiverMesh& mesh) {
 std::vector<double> ReceiverDivision::visible_fractions(std::uint32_t receiver, const ReceiverMesh& mesh,
                                                         unsigned threads) const {
   const ReceiverPlane& plane = mesh.data().plane;
-  const event::ReceiverSight sight(*data_->scene, data_->light, data_->blockers, receiver, plane);
-  std::vector<event::ReceiverSight> sights(std::max(1U, threads), sight);
+  const event::ReceiverVisibility visibility(*data_->scene, data_->light, data_->blockers, receiver, plane);
+  std::vector<event::ReceiverVisibility> visibilities(std::max(1U, threads), visibility);
   std::vector<double> fractions(mesh.vertex_count());
   const std::vector<bool> sees = vertices_off_umbra(mesh);
   for_all(fractions.size(), threads, [&](std::size_t v, std::size_t worker) {
     // An arc ends on the boundary of an umbra, which belongs to it.
     if (v >= mesh.data().arrangement.vertex_count() || !sees[v]) return;
     const ExactVector p = plane.spatial(mesh.data().point(static_cast<std::uint32_t>(v)));
-    fractions[v] = sights[worker].visible_fraction_from(p).nearest;
+    fractions[v] = visibilities[worker].visible_fraction_from(p).nearest;
   });
   return fractions;
 }

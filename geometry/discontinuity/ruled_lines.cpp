@@ -31,7 +31,7 @@ NearPolynomial sum(const NearPolynomial& f, const NearPolynomial& g) {
 }
 
 /// The trace of the plane through a point and an edge, as a function of (w, x, y).
-std::array<Interval, 3> near_trace(const PointEnclosure& l, const Outline& edge, const NearFrame& frame) {
+std::array<Interval, 3> near_trace(const PointEnclosure& l, const SilhouetteEdge& edge, const NearFrame& frame) {
   const PointEnclosure normal = cross(edge.a.near - l, edge.b.near - l);
   return {dot(normal, frame.origin - l), dot(normal, frame.along_x), dot(normal, frame.along_y)};
 }
@@ -71,7 +71,7 @@ NearFrame::NearFrame(const ReceiverPlane& plane) {
   along_y = Place(plane.spatial(FlatPoint{0, 1}) - o).near;
 }
 
-RuledLines::RuledLines(const std::array<const Outline*, 3>& edges, const NearFrame& frame)
+RuledLines::RuledLines(const std::array<const SilhouetteEdge*, 3>& edges, const NearFrame& frame)
     : edges_(edges), is_share_of_base_(true) {
   const Interval zero(0), one(1);
   const PointEnclosure &a = edges[0]->a.near, &b = edges[0]->b.near;
@@ -88,8 +88,8 @@ RuledLines::RuledLines(const std::array<const Outline*, 3>& edges, const NearFra
   find_lines(frame);
 }
 
-RuledLines::RuledLines(const std::array<const Outline*, 3>& edges, const Outline& parting, const conic::FlatCurve& line,
-                       const NearFrame& frame)
+RuledLines::RuledLines(const std::array<const SilhouetteEdge*, 3>& edges, const SilhouetteEdge& parting,
+                       const conic::FlatCurve& line, const NearFrame& frame)
     : edges_(edges), is_share_of_base_(false) {
   const conic::NearCurve near(line);
   for (std::size_t c = 0; c < 3; ++c) flat_[c] = {near.point[c][0], near.point[c][1], Interval(0), Interval(0)};

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "geometry/conics/flat_curve.h"
-#include "geometry/discontinuity/outline.h"
+#include "geometry/discontinuity/silhouette_edges.h"
 
 namespace gnomon::event {
 
@@ -35,13 +35,13 @@ struct NearFrame {
 class RuledLines {
  public:
   /// Edges no two of which lie in one plane: t is the share of the base at which q lies.
-  RuledLines(const std::array<const Outline*, 3>& edges, const NearFrame& frame);
+  RuledLines(const std::array<const SilhouetteEdge*, 3>& edges, const NearFrame& frame);
   /// Two edges that cross, after the base: p runs along a straight line, whose parameter t is. The plane through p and
   /// `parting`, one of the two, tells q.
-  RuledLines(const std::array<const Outline*, 3>& edges, const Outline& parting, const conic::FlatCurve& line,
-             const NearFrame& frame);
+  RuledLines(const std::array<const SilhouetteEdge*, 3>& edges, const SilhouetteEdge& parting,
+             const conic::FlatCurve& line, const NearFrame& frame);
 
-  const std::array<const Outline*, 3>& edges() const { return edges_; }
+  const std::array<const SilhouetteEdge*, 3>& edges() const { return edges_; }
   bool is_share_of_base() const { return is_share_of_base_; }
 
   /// Flat coordinates of p between two parameters; nothing if they may lie at infinity.
@@ -65,7 +65,7 @@ class RuledLines {
 
   void find_lines(const NearFrame& frame);
 
-  std::array<const Outline*, 3> edges_;
+  std::array<const SilhouetteEdge*, 3> edges_;
   bool is_share_of_base_;
   std::array<NearPolynomial, 3> flat_;  ///< w, x and y of p
   std::array<NearPolynomial, 2> base_ends_;

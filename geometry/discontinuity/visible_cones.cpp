@@ -25,7 +25,7 @@ ExactVector VisibleCones::exact_way(PointId point) const {
 }
 
 ExactVector VisibleCones::exact_normal(PlaneId plane) const {
-  const SightPlane& s = planes_[plane];
+  const PlaneThroughPoint& s = planes_[plane];
   return s.is_receivers ? receiver_.plane().normal : gnomon::cross(exact_way(s.a), exact_way(s.b));
 }
 
@@ -54,14 +54,14 @@ VisibleCones::PlaneId VisibleCones::plane(PointId a, PointId b) {
 
 /// On which side of a plane a point of the scene lies.
 int VisibleCones::side(PlaneId plane, PointId point) const {
-  const SightPlane& s = planes_[plane];
+  const PlaneThroughPoint& s = planes_[plane];
   if (point == s.a || point == s.b) return 0;
   if (const auto known = certain_sign(dot(s.normal, to(point)))) return *known;
   return gnomon::dot(exact_normal(plane), exact_way(point)).sign();
 }
 
 std::optional<PointId> VisibleCones::common_point(PlaneId p, PlaneId q) const {
-  const SightPlane &s = planes_[p], &t = planes_[q];
+  const PlaneThroughPoint &s = planes_[p], &t = planes_[q];
   if (p == q || s.is_receivers || t.is_receivers) return std::nullopt;
   if (s.a == t.a || s.a == t.b) return s.a;
   if (s.b == t.a || s.b == t.b) return s.b;
@@ -202,7 +202,7 @@ void VisibleCones::append_outside(Piece& piece, std::span<const Bound> bounds, s
   std::move(found.begin(), found.end(), std::back_inserter(pieces));
 }
 
-bool VisibleCones::look(const ExactVector& p, std::span<const ShapeId> blockers) {
+bool VisibleCones::view(const ExactVector& p, std::span<const ShapeId> blockers) {
   if (scene_.kind != LightKind::area) return false;
   const CGAL::Protect_FPU_rounding<true> upward;
   p_ = Place(p);
@@ -230,18 +230,18 @@ Region VisibleCones::region() const {
 
 /// A vertex of the light not behind the receiver's plane, or a blocker's before it and in front of the light: seen in a
 /// direction that lies before it, so not in the opposite one.
-bool VisibleCones::is_seen_vertex(PointId point) const {
+bool VisibleCones::is_visible_vertex(PointId point) const {
   const Rational height = receiver_.plane().height(exact(scene_.points[point].input));
   if (height > 0 && scene_.light_side(point) == light_side_) return true;
   return height >= 0 && std::any_of(scene_.light_vertices.begin(), scene_.light_vertices.end(),
                                     [&](const LightVertex& v) { return v.point == point; });
 }
 
-bool VisibleCones::is_seen_vertex(const Corner& corner) const {
-  if (const auto v = common_point(corner.first, corner.second)) return is_seen_vertex(*v);
-  const SightPlane &p = planes_[corner.first], &q = planes_[corner.second];
+bool VisibleCones::is_visible_vertex(const Corner& corner) const {
+  if (const auto v = common_point(corner.first, corner.second)) return is_visible_vertex(*v);
+  const PlaneThroughPoint &p = planes_[corner.first], &q = planes_[corner.second];
   if (p.is_receivers == q.is_receivers) return false;
-  const SightPlane& other = p.is_receivers ? q : p;
+  const PlaneThroughPoint& other = p.is_receivers ? q : p;
   return std::any_of(scene_.light_edges.begin(), scene_.light_edges.end(), [&](const LightEdge& e) {
     return (e.a == other.a && e.b == other.b) || (e.a == other.b && e.b == other.a);
   });
@@ -249,14 +249,14 @@ bool VisibleCones::is_seen_vertex(const Corner& corner) const {
 
 bool VisibleCones::shows_vertex() const {
   return std::any_of(pieces_.begin(), pieces_.end(), [&](const Piece& piece) {
-    return std::any_of(piece.begin(), piece.end(), [&](const Corner& c) { return is_seen_vertex(c); });
+    return std::any_of(piece.begin(), piece.end(), [&](const Corner& c) { return is_visible_vertex(c); });
   });
 }
 
 VisiblePart VisibleCones::part(const AreaLight& light) const {
   VisiblePart part;
   part.region = region();
-  SeenFacet seen{flat_facets(light.polygon).front(), {}};
+  VisibleFacet seen{flat_facets(light.polygon).front(), {}};
   const ExactPlane plane = plane_through(seen.facet[0], seen.facet[1], seen.facet[2]);
   const Rational height = plane.height(p_.exact);
   for (const Piece& piece : pieces_) {

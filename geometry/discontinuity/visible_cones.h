@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "geometry/discontinuity/event_scene.h"
-#include "geometry/discontinuity/outline.h"
 #include "geometry/discontinuity/receiver_plane.h"
+#include "geometry/discontinuity/silhouette_edges.h"
 #include "geometry/visibility/visible_part.h"
 
 namespace gnomon::event {
@@ -33,7 +33,7 @@ class VisibleCones {
   /// Returns:  false if this is not for this level: the light is no polygon, shows its back or edge, or lies in or
   /// behind
   ///           the receiver's plane; a blocker that is not wholly in front of the light, or that p is inside of.
-  bool look(const ExactVector& p, std::span<const ShapeId> blockers);
+  bool view(const ExactVector& p, std::span<const ShapeId> blockers);
 
   /// Lit, penumbra or umbra.
   Region region() const;
@@ -47,7 +47,7 @@ class VisibleCones {
 
  private:
   /// A plane through p and two points, a < b; or the receiver's.
-  struct SightPlane {
+  struct PlaneThroughPoint {
     PointId a = 0;
     PointId b = 0;
     bool is_receivers = false;
@@ -91,15 +91,15 @@ class VisibleCones {
   bool cut(Piece& piece, const Bound& bound, Piece* beyond);
   bool append_bounds(const Shape& shape, std::vector<Bound>& bounds);
   void append_outside(Piece& piece, std::span<const Bound> bounds, std::vector<Piece>& pieces);
-  bool is_seen_vertex(PointId point) const;
-  bool is_seen_vertex(const Corner& corner) const;
+  bool is_visible_vertex(PointId point) const;
+  bool is_visible_vertex(const Corner& corner) const;
 
   const EventScene& scene_;
   const ReceiverPlane& receiver_;
   Place p_;
   int light_side_ = 1;  ///< of the light's plane, on which p lies
   bool is_cut_ = false;
-  std::vector<SightPlane> planes_;
+  std::vector<PlaneThroughPoint> planes_;
   mutable std::vector<std::optional<WholeVector>> whole_normals_;  ///< of planes, where they were asked for
   std::map<std::pair<PointId, PointId>, PlaneId> plane_of_;
   std::vector<Piece> pieces_;

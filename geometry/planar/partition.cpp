@@ -22,8 +22,8 @@ const std::vector<BoundaryName>& Partition::names() const {
   return data_->names;
 }
 
-const Sight& Partition::sight() const {
-  return data_->sight;
+const LightVisibility& Partition::visibility() const {
+  return data_->visibility;
 }
 
 const std::optional<Box2>& Partition::box() const {

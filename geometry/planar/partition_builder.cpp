@@ -9,7 +9,7 @@
 #include "geometry/numbers/rounding.h"
 #include "geometry/planar/event_arrangement.h"
 #include "geometry/planar/partition_data.h"
-#include "geometry/planar/sight_query.h"
+#include "geometry/planar/visibility_query.h"
 #include "gnomon/errors.h"
 #include "gnomon/flatland_partition.h"
 
@@ -30,9 +30,9 @@ bool same_names(const VisibleLight& a, const VisibleLight& b) {
 /// From the arrangement to the partition: labels for its faces, edges where labels differ, faces between these edges.
 class Builder {
  public:
-  Builder(const Sight& sight, const PartitionOptions& options)
-      : options_(options), data_{sight, options.box, {}, {}, {}, {}, {}, {}} {
-    build_arrangement(sight.flatland(), options, arrangement_, data_.names);
+  Builder(const LightVisibility& visibility, const PartitionOptions& options)
+      : options_(options), data_{visibility, options.box, {}, {}, {}, {}, {}, {}} {
+    build_arrangement(visibility.flatland(), options, arrangement_, data_.names);
   }
 
   Partition::Data result() {
@@ -47,9 +47,9 @@ class Builder {
   }
 
  private:
-  VisibleLight seen_from(const Point& point) const {
+  VisibleLight visible_from(const Point& point) const {
     const Viewpoint from = viewpoint(point);
-    return SightQuery(data_.sight, from).visible_light();
+    return VisibilityQuery(data_.visibility, from).visible_light();
   }
 
   bool is_outside(const Point& p) const {
@@ -65,7 +65,7 @@ class Builder {
       face->set_data(static_cast<std::uint32_t>(seen_.size()));
       const std::optional<Point> p = face->is_unbounded() ? std::nullopt : std::optional(inner_point(face));
       outside_.push_back(!p || is_outside(*p));
-      seen_.push_back(outside_.back() ? VisibleLight{} : seen_from(*p));
+      seen_.push_back(outside_.back() ? VisibleLight{} : visible_from(*p));
     }
   }
 
@@ -76,7 +76,7 @@ class Builder {
   /// Off the blockers and the light's line f is continuous: between two faces that are both lit, or both dark, it can
   /// be nothing else.
   bool is_beyond_doubt(BoundaryKind kind, Region beside) const {
-    if (data_.sight.flatland().has_point_light()) return false;
+    if (data_.visibility.flatland().has_point_light()) return false;
     return kind != BoundaryKind::blocker && kind != BoundaryKind::light_line && beside != Region::penumbra;
   }
 
@@ -86,7 +86,7 @@ class Builder {
   bool is_like(Halfedge edge, const VisibleLight& beside) const {
     const BoundaryKind kind = kind_of(edge);
     if (is_beyond_doubt(kind, beside.region)) return true;
-    const VisibleLight seen = seen_from(inner_point(edge));
+    const VisibleLight seen = visible_from(inner_point(edge));
     const bool may_jump = kind == BoundaryKind::blocker || kind == BoundaryKind::light_line;
     return may_jump ? same_label(seen, beside) : seen.region == beside.region;
   }
@@ -230,7 +230,7 @@ class Builder {
       auto edge = vertex->incident_halfedges();
       const std::uint32_t face = edge->face()->data();
       if (is_outside(face) || is_like_all(vertex, seen_[face].region)) continue;
-      if (seen_from(vertex->point()).region == seen_[face].region) continue;
+      if (visible_from(vertex->point()).region == seen_[face].region) continue;
       add_vertex(vertex);
       data_.faces[face_of_[face]].points.push_back(vertex->data());
     }
@@ -259,11 +259,11 @@ class Builder {
 
 }  // namespace
 
-Partition partition(const Sight& sight, const PartitionOptions& options) {
+Partition partition(const LightVisibility& visibility, const PartitionOptions& options) {
   if (options.box && !has_interior(*options.box)) {
     throw PreconditionError("a box needs finite coordinates and an interior");
   }
-  return Partition(std::make_shared<const Partition::Data>(Builder(sight, options).result()));
+  return Partition(std::make_shared<const Partition::Data>(Builder(visibility, options).result()));
 }
 
 }  // namespace gnomon::planar

@@ -10,7 +10,7 @@ namespace gnomon::planar {
 
 /// What a partition holds.
 struct Partition::Data {
-  Sight sight;
+  LightVisibility visibility;
   std::optional<Box2> box;
   std::vector<BoundaryName> names;
   std::vector<ExactPoint> exact_vertices;

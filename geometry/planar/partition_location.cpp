@@ -11,8 +11,8 @@
 #include "geometry/numbers/rounding.h"
 #include "geometry/planar/light_line.h"
 #include "geometry/planar/partition_data.h"
-#include "geometry/planar/sight_query.h"
 #include "geometry/planar/viewpoint.h"
+#include "geometry/planar/visibility_query.h"
 
 namespace gnomon::planar {
 namespace {
@@ -203,17 +203,17 @@ std::uint32_t PartitionLocation::face(const Point2& point) const {
 
 Region PartitionLocation::region(const Point2& point) const {
   const std::uint32_t in = face(point);
-  return in == nowhere ? partition_.sight().region(point) : partition_.faces()[in].region;
+  return in == nowhere ? partition_.visibility().region(point) : partition_.faces()[in].region;
 }
 
 VisibleLight PartitionLocation::visible_light(const Point2& point) const {
   const std::uint32_t in = face(point);
-  if (in == nowhere) return partition_.sight().visible_light(point);
+  if (in == nowhere) return partition_.visibility().visible_light(point);
   const PartitionFace& found = partition_.faces()[in];
   if (found.region == Region::umbra) return {Region::umbra, {}};
-  if (found.visible.empty()) return partition_.sight().visible_light(point);
+  if (found.visible.empty()) return partition_.visibility().visible_light(point);
   const Viewpoint from(point);
-  const SightQuery query(partition_.sight(), from);
+  const VisibilityQuery query(partition_.visibility(), from);
   VisibleLight seen{found.region, found.visible};
   for (VisibleInterval& interval : seen.intervals) {
     interval = {query.named_end(interval.from.name), query.named_end(interval.to.name)};

@@ -6,7 +6,7 @@
 #include "geometry/numbers/rounding.h"
 #include "geometry/planar/event_rays.h"
 #include "geometry/planar/light_line.h"
-#include "geometry/planar/sight_query.h"
+#include "geometry/planar/visibility_query.h"
 #include "gnomon/errors.h"
 
 namespace gnomon::planar {
@@ -27,8 +27,8 @@ ExactPoint difference(const ExactPoint& a, const ExactPoint& b) {
 
 class ReceiverSearch {
  public:
-  ReceiverSearch(const Sight& sight, const std::array<Point2, 2>& receiver)
-      : sight_(sight), start_(exact(receiver[0])), way_(difference(exact(receiver[1]), start_)) {}
+  ReceiverSearch(const LightVisibility& visibility, const std::array<Point2, 2>& receiver)
+      : visibility_(visibility), start_(exact(receiver[0])), way_(difference(exact(receiver[1]), start_)) {}
 
   std::vector<ReceiverEvent> events() const {
     const std::vector<Candidate> candidates = sorted_candidates();
@@ -37,7 +37,8 @@ class ReceiverSearch {
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       const Candidate& candidate = candidates[i];
       const Rational next = i + 1 < candidates.size() ? candidates[i + 1].place : Rational(1);
-      const VisibleLight before = seen_at((last + candidate.place) / 2), after = seen_at((candidate.place + next) / 2);
+      const VisibleLight before = visible_at((last + candidate.place) / 2),
+                         after = visible_at((candidate.place + next) / 2);
       last = candidate.place;
       if (same_names(before, after)) continue;
       const bool jumps = may_jump(candidate) && limits_differ(candidate.place, before, after);
@@ -50,9 +51,9 @@ class ReceiverSearch {
  private:
   ExactPoint point_at(const Rational& place) const { return {start_.x + place * way_.x, start_.y + place * way_.y}; }
 
-  VisibleLight seen_at(const Rational& place) const {
+  VisibleLight visible_at(const Rational& place) const {
     const Viewpoint from(point_at(place));
-    return SightQuery(sight_, from).visible_light();
+    return VisibilityQuery(visibility_, from).visible_light();
   }
 
   static bool same_names(const VisibleLight& a, const VisibleLight& b) {
@@ -84,7 +85,7 @@ class ReceiverSearch {
   }
 
   std::vector<Candidate> sorted_candidates() const {
-    const Flatland& flatland = sight_.flatland();
+    const Flatland& flatland = visibility_.flatland();
     std::vector<Candidate> list;
     for (std::uint32_t i = 0; i < flatland.blockers().size(); ++i) {
       const auto& [a, b] = flatland.blockers()[i];
@@ -114,7 +115,7 @@ class ReceiverSearch {
 
   /// Where the receiver's line meets the light's line; of the receiver along it, the foot of q.
   Rational place_ahead(const ExactPoint& q) const {
-    const auto light = sight_.flatland().light();
+    const auto light = visibility_.flatland().light();
     const ExactPoint end = exact(light[0]), along = difference(exact(light[1]), end);
     const Rational parallel = cross(way_, along);
     if (parallel == 0) return place_along(light, q);
@@ -123,12 +124,12 @@ class ReceiverSearch {
 
   /// Where an end that is visible near p comes to lie as the viewpoint comes to p; an end in p itself stays ahead.
   Rational limit_place(const EventPoint& name, const ExactPoint& p) const {
-    const auto light = sight_.flatland().light();
+    const auto light = visibility_.flatland().light();
     if (name.kind != EventPointKind::blocker_end) {
       const Viewpoint from(p);
-      return SightQuery(sight_, from).place(name);
+      return VisibilityQuery(visibility_, from).place(name);
     }
-    const ExactPoint q = exact(sight_.flatland().blockers()[name.element][name.end]);
+    const ExactPoint q = exact(visibility_.flatland().blockers()[name.element][name.end]);
     if (p == q) return place_ahead(q);
     const Rational height_p = height_over(light, p), height_q = height_over(light, q);
     if (height_p == height_q) return place_along(light, q);
@@ -149,17 +150,17 @@ class ReceiverSearch {
     return limit_fraction(before, p) != limit_fraction(after, p);
   }
 
-  const Sight& sight_;
+  const LightVisibility& visibility_;
   ExactPoint start_;
   ExactPoint way_;
 };
 
 }  // namespace
 
-std::vector<ReceiverEvent> receiver_events(const Sight& sight, const std::array<Point2, 2>& receiver) {
-  if (sight.flatland().has_point_light()) throw PreconditionError("receiver events need a linear light");
+std::vector<ReceiverEvent> receiver_events(const LightVisibility& visibility, const std::array<Point2, 2>& receiver) {
+  if (visibility.flatland().has_point_light()) throw PreconditionError("receiver events need a linear light");
   if (receiver[0] == receiver[1]) throw PreconditionError("a receiver is two different points");
-  return ReceiverSearch(sight, receiver).events();
+  return ReceiverSearch(visibility, receiver).events();
 }
 
 }  // namespace gnomon::planar

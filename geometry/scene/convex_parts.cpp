@@ -121,13 +121,13 @@ SceneBodies scene_bodies(const SpaceScene& scene) {
   return bodies;
 }
 
-planar::Sight planar_sight(const PlaneScene& scene, const PlanarLight& light) {
+planar::LightVisibility planar_visibility(const PlaneScene& scene, const PlanarLight& light) {
   std::vector<planar::BlockerSegment> segments;
   for (const PlanarBlocker& blocker : scene.blockers) {
     const auto parts = planar::segments_of_polyline(blocker.vertices);
     segments.insert(segments.end(), parts.begin(), parts.end());
   }
-  return planar::Sight(planar::Flatland::from_points(light.vertices, segments));
+  return planar::LightVisibility(planar::Flatland::from_points(light.vertices, segments));
 }
 
 }  // namespace gnomon

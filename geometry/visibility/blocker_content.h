@@ -16,12 +16,12 @@ namespace gnomon {
 /// The pyramid with its apex in the eye and its base on the light's plane.
 struct LightPyramid {
   Point3 apex;
-  std::span<const sight::Plane> sides;  ///< positive side inside
-  const sight::LightPlane& base;
+  std::span<const viewpoint::Plane> sides;  ///< positive side inside
+  const viewpoint::LightPlane& base;
 };
 
 /// The segment between two points, or the ray from the first in a direction.
-struct SightLine {
+struct LineBetween {
   Point3 from;
   Point3 to;  ///< its end, or the ray's direction
   bool ends = true;
@@ -60,7 +60,7 @@ struct BlockerSet::Content {
   std::size_t collect(const LightPyramid& pyramid, std::vector<std::uint32_t>& found) const;
 
   /// The same for a line of sight, in any order.
-  void collect_along(const SightLine& line, std::vector<std::uint32_t>& found) const;
+  void collect_along(const LineBetween& line, std::vector<std::uint32_t>& found) const;
 
   /// The same for a point: every blocker that it is within rounding of (resting_point), ascending, and some others.
   void collect_near(const Point3& p, std::vector<std::uint32_t>& found) const;

@@ -85,23 +85,24 @@ struct Reach {
   double size;
 };
 
-Reach reach(const Box3& box, const Point3& apex, const sight::Vector& normal) {
-  const sight::Vector low{box.min.x - apex.x, box.min.y - apex.y, box.min.z - apex.z};
-  const sight::Vector high{box.max.x - apex.x, box.max.y - apex.y, box.max.z - apex.z};
-  const sight::Vector far{normal.x > 0 ? high.x : low.x, normal.y > 0 ? high.y : low.y, normal.z > 0 ? high.z : low.z};
-  return {dot(normal, far), std::max(sight::size_of(low), sight::size_of(high))};
+Reach reach(const Box3& box, const Point3& apex, const viewpoint::Vector& normal) {
+  const viewpoint::Vector low{box.min.x - apex.x, box.min.y - apex.y, box.min.z - apex.z};
+  const viewpoint::Vector high{box.max.x - apex.x, box.max.y - apex.y, box.max.z - apex.z};
+  const viewpoint::Vector far{normal.x > 0 ? high.x : low.x, normal.y > 0 ? high.y : low.y,
+                              normal.z > 0 ? high.z : low.z};
+  return {dot(normal, far), std::max(viewpoint::size_of(low), viewpoint::size_of(high))};
 }
 
 /// A box is outside if a plane of the pyramid says so with more than the rounding of its normal, of the differences and
 /// of the product: `side_bound` times the size, as for a single ray.
 bool may_meet(const Box3& box, const LightPyramid& pyramid) {
-  for (const sight::Plane& plane : pyramid.sides) {
+  for (const viewpoint::Plane& plane : pyramid.sides) {
     const Reach out = reach(box, pyramid.apex, plane.normal);
-    if (out.value < -(plane.side_bound * out.size + sight::tiny)) return false;
+    if (out.value < -(plane.side_bound * out.size + viewpoint::tiny)) return false;
   }
-  const sight::Vector& forward = pyramid.base.normal;
+  const viewpoint::Vector& forward = pyramid.base.normal;
   const Reach deepest = reach(box, pyramid.apex, forward);
-  const double bound = pyramid.base.depth_error(deepest.size, sight::unit * deepest.size);
+  const double bound = pyramid.base.depth_error(deepest.size, viewpoint::unit * deepest.size);
   if (deepest.value < -bound) return false;
   const Reach nearest = reach(box, pyramid.apex, {-forward.x, -forward.y, -forward.z});
   return -nearest.value <= pyramid.base.height + pyramid.base.height_error + bound;
@@ -110,7 +111,7 @@ bool may_meet(const Box3& box, const LightPyramid& pyramid) {
 /// A line of sight, as shares of the way along it.
 struct Way {
   Point3 from;
-  sight::Vector step;
+  viewpoint::Vector step;
   double last = 1;  ///< share at which it ends
 };
 
@@ -122,8 +123,8 @@ bool cut_to_slab(double low, double high, double step, double& first, double& la
   const double b = high / step;
   const double enter = std::min(a, b);
   const double leave = std::max(a, b);
-  first = std::max(first, enter - 8 * sight::unit * std::fabs(enter) - sight::tiny);
-  last = std::min(last, leave + 8 * sight::unit * std::fabs(leave) + sight::tiny);
+  first = std::max(first, enter - 8 * viewpoint::unit * std::fabs(enter) - viewpoint::tiny);
+  last = std::min(last, leave + 8 * viewpoint::unit * std::fabs(leave) + viewpoint::tiny);
   return first <= last;
 }
 
@@ -171,9 +172,9 @@ std::size_t BlockerSet::Content::collect(const LightPyramid& pyramid, std::vecto
   return visited;
 }
 
-void BlockerSet::Content::collect_along(const SightLine& line, std::vector<std::uint32_t>& found) const {
+void BlockerSet::Content::collect_along(const LineBetween& line, std::vector<std::uint32_t>& found) const {
   const Point3 origin = line.ends ? line.from : Point3{0, 0, 0};
-  const Way way{line.from, sight::operator-(line.to, origin), line.ends ? 1 : HUGE_VAL};
+  const Way way{line.from, viewpoint::operator-(line.to, origin), line.ends ? 1 : HUGE_VAL};
   const auto meets = [&](const Box3& box) { return may_meet(box, way); };
   if (boxes.empty()) return collect_few(meets, found);
   boxes.search(meets, found);
@@ -181,7 +182,7 @@ void BlockerSet::Content::collect_along(const SightLine& line, std::vector<std::
 
 void BlockerSet::Content::collect_near(const Point3& p, std::vector<std::uint32_t>& found) const {
   const double size = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
-  const double off = 16 * sight::unit * size;
+  const double off = 16 * viewpoint::unit * size;
   const Box3 near{{p.x - off, p.y - off, p.z - off}, {p.x + off, p.y + off, p.z + off}};
   const auto meets = [&](const Box3& box) { return overlap(box, near); };
   if (boxes.empty()) return collect_few(meets, found);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 
 /// A silhouette to the left of the edge runs the same way as the edge, one to the right against it. The planes before
 /// and after the common edge cross it at its ends.
@@ -49,4 +49,4 @@ bool BoundaryWalk::append_uncovered(const Piece& whole, std::vector<Stretch>& co
   return pieces.size() > before;
 }
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

@@ -7,7 +7,7 @@
 
 #include "geometry/visibility/silhouette.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 
 /// A point of the edge that is walked: one of its ends, or where it crosses a plane. Planes and rays by their indices
 /// in the silhouettes.
@@ -178,4 +178,4 @@ inline int BoundaryWalk::order(const Edge& edge, const Station& a, const Station
   return risen(b, risen(a, triple(apex_, planes[a.plane], planes[edge.plane], planes[b.plane])));
 }
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

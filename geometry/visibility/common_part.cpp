@@ -2,7 +2,7 @@
 
 #include "geometry/numbers/exact_vector.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 namespace {
 
 /// What of a convex loop lies on a plane or below it.
@@ -55,4 +55,4 @@ bool have_common_point(const BlockerSet::Content& blockers, std::uint32_t blocke
   return !part_in(blockers.corners(shape), loop).empty();
 }
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

@@ -16,7 +16,7 @@
 
 namespace gnomon {
 
-using namespace sight;
+using namespace viewpoint;
 
 /// The light, and the memory that questions share.
 class FastLinearVisibility::Work {
@@ -30,17 +30,17 @@ class FastLinearVisibility::Work {
   const SearchCounts& counts() const { return counts_; }
 
   /// `receiver` is null for a bare point.
-  std::optional<LinearLightSeen> seen_from(const Point3& apex, const ReceiverPoint* receiver);
+  std::optional<VisibleLinearLight> visible_from(const Point3& apex, const ReceiverPoint* receiver);
 
  private:
   const BlockerSet::Content& blockers() const { return index_->blockers().content(); }
   bool stand_up(const Point3& apex);
   void find_candidates(const Point3& apex);
-  std::optional<LinearLightSeen> look(const Point3& apex, const ReceiverPoint* receiver);
-  std::optional<LinearLightSeen> look_before(const ReceiverPoint& receiver);
-  LinearLightSeen walk(const Point3& apex);
+  std::optional<VisibleLinearLight> look(const Point3& apex, const ReceiverPoint* receiver);
+  std::optional<VisibleLinearLight> look_before(const ReceiverPoint& receiver);
+  VisibleLinearLight walk(const Point3& apex);
   StretchEnd end_at(const Edge& edge, const Station& station) const;
-  LinearLightSeen penumbra(const Edge& edge);
+  VisibleLinearLight penumbra(const Edge& edge);
 
   std::shared_ptr<const OccluderIndex> index_;
   SearchCounts counts_;
@@ -92,7 +92,7 @@ StretchEnd FastLinearVisibility::Work::end_at(const Edge& edge, const Station& s
   return {std::prev(after)->element, plane.name, known ? share : 0.5, known ? error : HUGE_VAL};
 }
 
-LinearLightSeen FastLinearVisibility::Work::penumbra(const Edge& edge) {
+VisibleLinearLight FastLinearVisibility::Work::penumbra(const Edge& edge) {
   double fraction = 0;
   double error = 0;
   for (const Piece& piece : visible_) {
@@ -105,7 +105,7 @@ LinearLightSeen FastLinearVisibility::Work::penumbra(const Edge& edge) {
 }
 
 /// The light is one edge, and every silhouette that touches its plane along a length covers a part of it.
-LinearLightSeen FastLinearVisibility::Work::walk(const Point3& apex) {
+VisibleLinearLight FastLinearVisibility::Work::walk(const Point3& apex) {
   BoundaryWalk walk(apex, silhouettes_, sides_);
   const Edge edge = edge_of(silhouettes_, 0, 0);
   const Piece whole{edge, {{Station::Kind::start}, {Station::Kind::end}}};
@@ -132,14 +132,14 @@ std::optional<std::span<const std::uint32_t>> FastLinearVisibility::Work::occlud
   return candidates_;
 }
 
-std::optional<LinearLightSeen> FastLinearVisibility::Work::look(const Point3& apex, const ReceiverPoint* receiver) {
+std::optional<VisibleLinearLight> FastLinearVisibility::Work::look(const Point3& apex, const ReceiverPoint* receiver) {
   if (!stand_up(apex)) return std::nullopt;
   SilhouetteBuilder builder(apex, ends_, plane_, silhouettes_, receiver ? Along::undecided : Along::hides);
   find_candidates(apex);
   if (receiver && !keep_before(*receiver, blockers(), candidates_)) return std::nullopt;
   const Gathered gathered = builder.append_blockers(blockers(), candidates_);
   if (gathered == Gathered::undecided) return std::nullopt;
-  if (gathered == Gathered::covered) return LinearLightSeen{Region::umbra, 0, 0, {}};
+  if (gathered == Gathered::covered) return VisibleLinearLight{Region::umbra, 0, 0, {}};
   return walk(apex);
 }
 
@@ -190,9 +190,9 @@ class LengthBefore {
 }  // namespace
 
 /// Of a light that the receiver's plane cuts: what of the visible stretches, and of the gaps between them, lies before.
-std::optional<LinearLightSeen> FastLinearVisibility::Work::look_before(const ReceiverPoint& receiver) {
+std::optional<VisibleLinearLight> FastLinearVisibility::Work::look_before(const ReceiverPoint& receiver) {
   const SharesBefore shares = shares_before(ends_[0], ends_[1], exact_front(receiver));
-  std::optional<LinearLightSeen> seen = look(receiver.point, &receiver);
+  std::optional<VisibleLinearLight> seen = look(receiver.point, &receiver);
   if (!seen) return seen;
   seen->before_receiver = shares.share;
   LengthBefore visible(shares);
@@ -214,14 +214,14 @@ std::optional<LinearLightSeen> FastLinearVisibility::Work::look_before(const Rec
   return seen;
 }
 
-std::optional<LinearLightSeen> FastLinearVisibility::Work::seen_from(const Point3& apex,
-                                                                     const ReceiverPoint* receiver) {
+std::optional<VisibleLinearLight> FastLinearVisibility::Work::visible_from(const Point3& apex,
+                                                                           const ReceiverPoint* receiver) {
   stretches_.clear();
   if (!in_range_ || !is_in_range(apex)) return std::nullopt;
   if (!receiver) return look(apex, nullptr);
   const int start = side_of_front(*receiver, ends_[0]);
   const int end = side_of_front(*receiver, ends_[1]);
-  if (start <= 0 && end <= 0) return LinearLightSeen{Region::unlit, 0, 0, {}, 0};
+  if (start <= 0 && end <= 0) return VisibleLinearLight{Region::unlit, 0, 0, {}, 0};
   return start < 0 || end < 0 ? look_before(*receiver) : look(apex, receiver);
 }
 
@@ -233,12 +233,12 @@ FastLinearVisibility::FastLinearVisibility(FastLinearVisibility&&) noexcept = de
 FastLinearVisibility& FastLinearVisibility::operator=(FastLinearVisibility&&) noexcept = default;
 FastLinearVisibility::~FastLinearVisibility() = default;
 
-std::optional<LinearLightSeen> FastLinearVisibility::seen_from(const Point3& point) {
-  return work_->seen_from(point, nullptr);
+std::optional<VisibleLinearLight> FastLinearVisibility::visible_from(const Point3& point) {
+  return work_->visible_from(point, nullptr);
 }
 
-std::optional<LinearLightSeen> FastLinearVisibility::seen_by(const ReceiverPoint& receiver) {
-  return work_->seen_from(receiver.point, &receiver);
+std::optional<VisibleLinearLight> FastLinearVisibility::visible_by(const ReceiverPoint& receiver) {
+  return work_->visible_from(receiver.point, &receiver);
 }
 
 std::optional<std::span<const std::uint32_t>> FastLinearVisibility::occluders(const Point3& point) {

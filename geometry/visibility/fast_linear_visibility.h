@@ -13,10 +13,10 @@
 
 namespace gnomon {
 
-namespace sight {
+namespace viewpoint {
 class OccluderIndex;
 struct SearchCounts;
-}  // namespace sight
+}  // namespace viewpoint
 
 /// An end of a visible stretch of a linear light: one of the light's ends, or where a blocker's edge crosses it as
 /// seen.
@@ -34,7 +34,7 @@ struct VisibleStretch {
 };
 
 /// What a point sees of a linear light.
-struct LinearLightSeen {
+struct VisibleLinearLight {
   Region region = Region::lit;
   double fraction = 0;     ///< visible fraction
   double error_bound = 0;  ///< |fraction - exact| is at most this; 0 outside the penumbra
@@ -56,7 +56,7 @@ class FastLinearVisibility {
  public:
   FastLinearVisibility(const LinearLight& light, BlockerSet blockers, const LinearSearch& search = {});
   /// The index is the light's.
-  FastLinearVisibility(const LinearLight& light, std::shared_ptr<const sight::OccluderIndex> index);
+  FastLinearVisibility(const LinearLight& light, std::shared_ptr<const viewpoint::OccluderIndex> index);
   FastLinearVisibility(FastLinearVisibility&&) noexcept;
   FastLinearVisibility& operator=(FastLinearVisibility&&) noexcept;
   ~FastLinearVisibility();
@@ -66,14 +66,14 @@ class FastLinearVisibility {
   /// light where its plane cuts it; or a coordinate exceeds 1e30.
   ///
   /// Requires: finite coordinates.
-  std::optional<LinearLightSeen> seen_from(const Point3& point);
+  std::optional<VisibleLinearLight> visible_from(const Point3& point);
 
   /// The same for a point of a receiver: region and fraction of what lies before its plane, after exact_received. The
   /// stretches are all that are visible, also behind the plane.
   ///
   /// Returns: nothing also where a blocker may hold the point, an edge is coplanar with light and point, or doubles do
   ///          not tell whether a stretch reaches before the plane.
-  std::optional<LinearLightSeen> seen_by(const ReceiverPoint& receiver);
+  std::optional<VisibleLinearLight> visible_by(const ReceiverPoint& receiver);
 
   /// The blockers that the search finds for the point, ascending: all that have a point in the triangle between it and
   /// the light, and some others. Nothing for a point on the light's line or coordinates beyond 1e30. Valid until the
@@ -81,7 +81,7 @@ class FastLinearVisibility {
   std::optional<std::span<const std::uint32_t>> occluders(const Point3& point);
 
   /// What the searches of all questions did.
-  const sight::SearchCounts& search_counts() const;
+  const viewpoint::SearchCounts& search_counts() const;
 
  private:
   class Work;

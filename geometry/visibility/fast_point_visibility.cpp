@@ -12,7 +12,7 @@
 namespace gnomon {
 namespace {
 
-using sight::is_in_range;
+using viewpoint::is_in_range;
 using Shape = BlockerSet::Content::Shape;
 
 /// A line of sight: from a point to a light, or towards one infinitely far away. Of a receiver's point the limit of
@@ -105,12 +105,12 @@ std::optional<Region> FastPointVisibility::region_from(const Point3& point, cons
   }
   const BlockerSet::Content& content = blockers_.content();
   LineOfSight line = line_of_sight(light_, point);
-  const bool in_range = is_in_range(point) && is_in_range(line.light) && content.largest <= sight::largest;
+  const bool in_range = is_in_range(point) && is_in_range(line.light) && content.largest <= viewpoint::largest;
   if (!in_range || (line.ends && point == line.light)) return std::nullopt;
   content.collect_along({line.from, line.light, line.ends}, candidates_);
   if (receiver) {
     line.front = &receiver->front;
-    if (!sight::keep_before(*receiver, content, candidates_)) return std::nullopt;
+    if (!viewpoint::keep_before(*receiver, content, candidates_)) return std::nullopt;
   }
   bool decided = true;
   for (const std::uint32_t candidate : candidates_) {

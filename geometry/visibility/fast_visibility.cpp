@@ -19,7 +19,7 @@
 
 namespace gnomon {
 
-using namespace sight;
+using namespace viewpoint;
 
 /// The light, and the memory that questions share.
 class FastVisibility::Work {
@@ -27,7 +27,7 @@ class FastVisibility::Work {
   Work(const AreaLight& light, BlockerSet blockers);
 
   /// `receiver` is null for a bare point.
-  std::optional<LightSeen> seen_from(const Point3& point, const ReceiverPoint* receiver);
+  std::optional<VisibleAreaLight> visible_from(const Point3& point, const ReceiverPoint* receiver);
 
  private:
   int turn_to(const Point3& apex);
@@ -36,16 +36,16 @@ class FastVisibility::Work {
   bool is_between_facets(std::uint32_t silhouette, std::uint32_t k) const;
   void append_stretches_inside(BoundaryWalk& walk, std::uint32_t silhouette);
   void append_visible(BoundaryWalk& walk, const Piece& piece);
-  LightSeen bounded(Region region, double fraction, double bound, std::size_t pieces);
+  VisibleAreaLight bounded(Region region, double fraction, double bound, std::size_t pieces);
   FlatArea set_boundary();
-  LightSeen measured(const FlatArea& area);
-  LightSeen visible_part();
-  LightSeen wholly_visible();
+  VisibleAreaLight measured(const FlatArea& area);
+  VisibleAreaLight visible_part();
+  VisibleAreaLight wholly_visible();
   std::array<std::int8_t, 2> sides_of_ends(std::size_t piece) const;
   std::optional<Region> region_before() const;
   FlatArea area_before() const;
-  std::optional<LightSeen> part_before();
-  std::optional<LightSeen> look(const Point3& point, const ReceiverPoint* receiver);
+  std::optional<VisibleAreaLight> part_before();
+  std::optional<VisibleAreaLight> look(const Point3& point, const ReceiverPoint* receiver);
 
   BlockerSet blockers_;
   bool two_sided_;
@@ -108,8 +108,8 @@ LightSide light_side(const ConvexPolygon& polygon, bool front, const LightPlane&
 }
 
 /// A blocker's edge is walked with the blocker on its left; the visible part is on the other side.
-void set_piece(BoundaryPiece& result, const Silhouettes& silhouettes, const Edge& edge, const SightDirection& from,
-               const SightDirection& to) {
+void set_piece(BoundaryPiece& result, const Silhouettes& silhouettes, const Edge& edge, const VisibleDirection& from,
+               const VisibleDirection& to) {
   const Plane& plane = silhouettes.planes[edge.plane];
   const Vector& n = plane.normal;
   result.edge = plane.name;
@@ -236,14 +236,14 @@ void FastVisibility::Work::walk(const Point3& apex) {
 }
 
 /// With a boundary of the first `pieces`.
-LightSeen FastVisibility::Work::bounded(Region region, double fraction, double bound, std::size_t pieces) {
+VisibleAreaLight FastVisibility::Work::bounded(Region region, double fraction, double bound, std::size_t pieces) {
   const LightPlane& plane = shown_->plane;
   const std::span<const BoundaryPiece> boundary{boundary_.data(), pieces};
   return {region, fraction, bound, boundary, direction_of(plane.normal, plane.error)};
 }
 
 /// The boundary is the light's own.
-LightSeen FastVisibility::Work::wholly_visible() {
+VisibleAreaLight FastVisibility::Work::wholly_visible() {
   const std::uint32_t count = silhouettes_.list.front().count;
   if (boundary_.size() < count) boundary_.resize(count);
   for (std::uint32_t k = 0; k < count; ++k) {
@@ -261,8 +261,8 @@ FlatArea FastVisibility::Work::set_boundary() {
   AreaSum sum;
   for (std::size_t i = 0; i < visible_.size(); ++i) {
     const auto& [edge, stretch] = visible_[i];
-    const Sighting from = sighting(silhouettes_, shown_->plane, edge, stretch.from);
-    const Sighting to = sighting(silhouettes_, shown_->plane, edge, stretch.to);
+    const VisiblePlace from = visible_place(silhouettes_, shown_->plane, edge, stretch.from);
+    const VisiblePlace to = visible_place(silhouettes_, shown_->plane, edge, stretch.to);
     set_piece(boundary_[i], silhouettes_, edge, from.direction, to.direction);
     edge.of_light() ? sum.add(from.flat, to.flat) : sum.add(to.flat, from.flat);
     if (cut_.extent == Extent::part) flats_.push_back({from.flat, to.flat});
@@ -270,11 +270,11 @@ FlatArea FastVisibility::Work::set_boundary() {
   return sum.total();
 }
 
-LightSeen FastVisibility::Work::visible_part() {
+VisibleAreaLight FastVisibility::Work::visible_part() {
   return measured(set_boundary());
 }
 
-LightSeen FastVisibility::Work::measured(const FlatArea& area) {
+VisibleAreaLight FastVisibility::Work::measured(const FlatArea& area) {
   const double whole = light_area_.doubled;
   const double fraction = std::fabs(area.doubled) / whole;
   const double bound = 1.01 * (area.error + light_area_.error) / whole + 4 * unit;
@@ -318,33 +318,34 @@ FlatArea FastVisibility::Work::area_before() const {
   return area.total();
 }
 
-std::optional<LightSeen> FastVisibility::Work::part_before() {
+std::optional<VisibleAreaLight> FastVisibility::Work::part_before() {
   set_boundary();
   const std::optional<Region> region = region_before();
   if (!region) return std::nullopt;
-  if (*region == Region::umbra) return LightSeen{Region::umbra, 0, 0, {}, {}};
+  if (*region == Region::umbra) return VisibleAreaLight{Region::umbra, 0, 0, {}, {}};
   if (*region == Region::penumbra) return measured(area_before());
   return bounded(Region::lit, 1, 0, visible_.size());
 }
 
-std::optional<LightSeen> FastVisibility::Work::look(const Point3& point, const ReceiverPoint* receiver) {
+std::optional<VisibleAreaLight> FastVisibility::Work::look(const Point3& point, const ReceiverPoint* receiver) {
   const Gathered gathered = gather(point, receiver);
   if (gathered == Gathered::undecided) return std::nullopt;
-  if (gathered == Gathered::covered) return LightSeen{Region::umbra, 0, 0, {}, {}};
+  if (gathered == Gathered::covered) return VisibleAreaLight{Region::umbra, 0, 0, {}, {}};
   if (silhouettes_.list.size() == 1) return wholly_visible();
   walk(point);
   if (!any_inside_) return wholly_visible();
-  if (visible_.empty()) return LightSeen{Region::umbra, 0, 0, {}, {}};
+  if (visible_.empty()) return VisibleAreaLight{Region::umbra, 0, 0, {}, {}};
   return cut_.extent == Extent::part ? part_before() : visible_part();
 }
 
-std::optional<LightSeen> FastVisibility::Work::seen_from(const Point3& point, const ReceiverPoint* receiver) {
+std::optional<VisibleAreaLight> FastVisibility::Work::visible_from(const Point3& point, const ReceiverPoint* receiver) {
   if (!flat_ || !in_range_ || !is_in_range(point)) return std::nullopt;
   const int front = turn_to(point);
   cut_.extent = Extent::all;
   if (receiver) cut_light(*shown_, *receiver, cut_);
   const bool is_unlit = front == 0 || (front < 0 && !two_sided_) || cut_.extent == Extent::none;
-  std::optional<LightSeen> seen = is_unlit ? LightSeen{Region::unlit, 0, 0, {}, {}} : look(point, receiver);
+  std::optional<VisibleAreaLight> seen =
+      is_unlit ? VisibleAreaLight{Region::unlit, 0, 0, {}, {}} : look(point, receiver);
   if (!seen || !receiver) return seen;
   seen->before_receiver = cut_.share;
   if (seen->region == Region::lit && cut_.extent == Extent::part) {
@@ -360,12 +361,12 @@ FastVisibility::FastVisibility(FastVisibility&&) noexcept = default;
 FastVisibility& FastVisibility::operator=(FastVisibility&&) noexcept = default;
 FastVisibility::~FastVisibility() = default;
 
-std::optional<LightSeen> FastVisibility::seen_from(const Point3& point) {
-  return work_->seen_from(point, nullptr);
+std::optional<VisibleAreaLight> FastVisibility::visible_from(const Point3& point) {
+  return work_->visible_from(point, nullptr);
 }
 
-std::optional<LightSeen> FastVisibility::seen_by(const ReceiverPoint& receiver) {
-  return work_->seen_from(receiver.point, &receiver);
+std::optional<VisibleAreaLight> FastVisibility::visible_by(const ReceiverPoint& receiver) {
+  return work_->visible_from(receiver.point, &receiver);
 }
 
 }  // namespace gnomon

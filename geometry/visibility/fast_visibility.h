@@ -15,7 +15,7 @@ namespace gnomon {
 
 /// A direction from the point that looks, of any length.
 /// Exactness: the vector is off by at most `error` parts of its length; it may be infinite.
-struct SightDirection {
+struct VisibleDirection {
   double x = 0;
   double y = 0;
   double z = 0;
@@ -29,20 +29,20 @@ struct SightDirection {
 struct BoundaryPiece {
   std::optional<std::uint32_t> blocker;  ///< its index in the set; empty for an edge of the light
   std::uint32_t edge = 0;                ///< of the polygon as given, or of the solid
-  SightDirection start;
-  SightDirection end;
-  SightDirection normal;
+  VisibleDirection start;
+  VisibleDirection end;
+  VisibleDirection normal;
 };
 
 /// What a point sees of an area light.
-struct LightSeen {
+struct VisibleAreaLight {
   Region region = Region::lit;
   double fraction = 0;     ///< visible fraction
   double error_bound = 0;  ///< |fraction - exact| is at most this; 0 outside the penumbra
   /// The boundary of the visible part: the pieces of positive length, in no particular order. Empty unless lit or in
   /// penumbra. Valid until the next question.
   std::span<const BoundaryPiece> boundary;
-  SightDirection forward;      ///< perpendicular to the light, to its side of the point
+  VisibleDirection forward;    ///< perpendicular to the light, to its side of the point
   double before_receiver = 1;  ///< of a receiver's point, the share of the light before its plane; correctly rounded
 };
 
@@ -68,14 +68,14 @@ class FastVisibility {
   /// hide some of it, or a coordinate exceeds 1e30.
   ///
   /// Requires: finite coordinates.
-  std::optional<LightSeen> seen_from(const Point3& point);
+  std::optional<VisibleAreaLight> visible_from(const Point3& point);
 
   /// The same for a point of a receiver: region and fraction of what lies before its plane, after exact_received. The
   /// boundary is that of all that is visible, also behind the plane.
   ///
   /// Returns: nothing also where a blocker may hold the point, or doubles do not tell on which side of the plane the
   ///          boundary's corners are.
-  std::optional<LightSeen> seen_by(const ReceiverPoint& receiver);
+  std::optional<VisibleAreaLight> visible_by(const ReceiverPoint& receiver);
 
  private:
   class Work;

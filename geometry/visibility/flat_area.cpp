@@ -3,7 +3,7 @@
 #include "geometry/numbers/kernel.h"
 #include "geometry/numbers/rounding.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 
 FlatArea flat_area(std::span<const Point3> corners, int u, int v) {
   Rational sum = 0;
@@ -20,4 +20,4 @@ FlatArea flat_area(std::span<const Point3> corners, int u, int v) {
   return {doubled, unit * doubled};
 }
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

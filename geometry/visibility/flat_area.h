@@ -7,7 +7,7 @@
 #include "geometry/visibility/boundary_walk.h"
 #include "geometry/visibility/fast_visibility.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 
 /// Twice an area in the two kept coordinates, and how far it may be off.
 struct FlatArea {
@@ -19,31 +19,31 @@ struct FlatArea {
 FlatArea flat_area(std::span<const Point3> corners, int u, int v);
 
 /// A direction whose coordinates are each off by at most `error`.
-inline SightDirection direction_of(const Vector& v, double error) {
+inline VisibleDirection direction_of(const Vector& v, double error) {
   return {v.x, v.y, v.z, root_of_three * error / size_of(v)};
 }
 
-inline SightDirection direction_of(const Ray& ray) {
+inline VisibleDirection direction_of(const Ray& ray) {
   return {ray.direction.x, ray.direction.y, ray.direction.z, unit};
 }
 
 /// Where a station of an edge is seen: in which direction, and at which point of the light's plane.
-struct Sighting {
-  SightDirection direction;
+struct VisiblePlace {
+  VisibleDirection direction;
   FlatPoint flat;
 };
 
 /// Where two planes cross: the direction of a.normal x b.normal.
 /// Bound. A cross product of normals errs by 4.1 u na nb from rounding and 2 (ea nb + na eb) from its factors.
-inline Sighting crossing(const LightPlane& light, const Plane& a, const Plane& b) {
+inline VisiblePlace crossing(const LightPlane& light, const Plane& a, const Plane& b) {
   const Vector d = cross(a.normal, b.normal);
   const double error = 4.2 * unit * a.size * b.size + 2.1 * (a.error * b.size + a.size * b.error) + tiny;
   const double size = size_of(d);
   return {{d.x, d.y, d.z, root_of_three * error / size}, meeting_point(light, d, size, error)};
 }
 
-inline Sighting sighting(const Silhouettes& silhouettes, const LightPlane& light, const Edge& edge,
-                         const Station& station) {
+inline VisiblePlace visible_place(const Silhouettes& silhouettes, const LightPlane& light, const Edge& edge,
+                                  const Station& station) {
   const std::uint32_t ray = ray_at(edge, station);
   if (ray != Station::none) return {direction_of(silhouettes.rays[ray]), silhouettes.flats[ray]};
   const Plane& crossed = silhouettes.planes[station.plane];
@@ -73,4 +73,4 @@ class AreaSum {
   double error_ = 0;
 };
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

@@ -5,7 +5,7 @@
 #include "geometry/numbers/rounding.h"
 #include "geometry/visibility/receiver_front.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 namespace {
 
 const Rational& coordinate_of(const ExactVector& v, int axis) {
@@ -107,4 +107,4 @@ FlatArea AreaBefore::total() const {
   return {sum_, known ? 1.01 * error_ : HUGE_VAL};
 }
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

@@ -8,7 +8,7 @@
 #include "geometry/visibility/flat_area.h"
 #include "geometry/visibility/receiver_front.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 
 /// What of a light lies before a receiver's plane.
 enum class Extent { none, part, all };
@@ -57,4 +57,4 @@ class AreaBefore {
   double error_ = 0;
 };
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

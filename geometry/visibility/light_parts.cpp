@@ -47,7 +47,7 @@ class Sum {
 
   /// Bound. Areas and shares are off by u of themselves, products by u more, and sums of n positive terms by n u: the
   /// quotient of two by less than 2 (n + 4) u, and it is at most 1.
-  Visibility seen(std::size_t count) const {
+  Visibility visibility(std::size_t count) const {
     if (!any_) return {Region::unlit, 0, 0, 0};
     const double rounded = 0x1p-52 * static_cast<double>(count + 4);
     const double before = all_before_ ? 1 : std::min(before_ / area_, 1.0);
@@ -85,7 +85,7 @@ class PartsVisibility::Work {
     for (std::size_t k = 0; k < seen_.size(); ++k) {
       if (shows_front(shapes_[k], place)) sum.add(areas_[k], ask(seen_[k]));
     }
-    return sum.seen(seen_.size());
+    return sum.visibility(seen_.size());
   }
 
  private:

@@ -12,34 +12,34 @@ namespace {
 /// The widest bound of a fraction that is handed on.
 constexpr double widest_bound = 1e-6;
 
-std::optional<Region> seen(FastPointVisibility& level, const Point3& p) {
+std::optional<Region> visible(FastPointVisibility& level, const Point3& p) {
   return level.region_from(p);
 }
 
-std::optional<Region> seen(FastPointVisibility& level, const ReceiverPoint& receiver) {
+std::optional<Region> visible(FastPointVisibility& level, const ReceiverPoint& receiver) {
   return level.region_of(receiver);
 }
 
 template <class Level>
-auto seen(Level& level, const Point3& p) {
-  return level.seen_from(p);
+auto visible(Level& level, const Point3& p) {
+  return level.visible_from(p);
 }
 
 template <class Level>
-auto seen(Level& level, const ReceiverPoint& receiver) {
-  return level.seen_by(receiver);
+auto visible(Level& level, const ReceiverPoint& receiver) {
+  return level.visible_by(receiver);
 }
 
-template <class Looking>
-std::optional<Visibility> visibility(FastPointVisibility& level, const Looking& p) {
-  const std::optional<Region> region = seen(level, p);
+template <class Viewer>
+std::optional<Visibility> visibility(FastPointVisibility& level, const Viewer& p) {
+  const std::optional<Region> region = visible(level, p);
   if (!region) return std::nullopt;
   return Visibility{*region, *region == Region::lit ? 1.0 : 0.0, 0, *region == Region::unlit ? 0.0 : 1.0};
 }
 
-template <class Level, class Looking>
-std::optional<Visibility> visibility(Level& level, const Looking& p) {
-  const auto part = seen(level, p);
+template <class Level, class Viewer>
+std::optional<Visibility> visibility(Level& level, const Viewer& p) {
+  const auto part = visible(level, p);
   if (!part) return std::nullopt;
   return Visibility{part->region, part->fraction, part->error_bound, part->before_receiver};
 }
@@ -71,15 +71,15 @@ const Obstacles& PreparedObstacles::obstacles() const {
   return content_->obstacles;
 }
 
-std::shared_ptr<const sight::OccluderIndex> PreparedObstacles::Content::occluders(const LinearLight& light,
-                                                                                  const LinearSearch& search) const {
+std::shared_ptr<const viewpoint::OccluderIndex> PreparedObstacles::Content::occluders(
+    const LinearLight& light, const LinearSearch& search) const {
   const std::lock_guard lock(making_);
   std::erase_if(made_, [](const Made& made) { return made.index.expired(); });
   for (const Made& made : made_) {
     if (made.start != light.start || made.end != light.end || made.search != search) continue;
-    if (std::shared_ptr<const sight::OccluderIndex> index = made.index.lock()) return index;
+    if (std::shared_ptr<const viewpoint::OccluderIndex> index = made.index.lock()) return index;
   }
-  auto index = std::make_shared<const sight::OccluderIndex>(light, blockers, search);
+  auto index = std::make_shared<const viewpoint::OccluderIndex>(light, blockers, search);
   made_.push_back({light.start, light.end, search, index});
   return index;
 }
@@ -120,8 +120,8 @@ class LightVisibility::Work {
         obstacles_(std::move(obstacles)),
         fast_(fast_level(light_, obstacles_, search, Trees::grown)) {}
 
-  template <class Looking>
-  Visibility answer(const Looking& p) {
+  template <class Viewer>
+  Visibility answer(const Viewer& p) {
     if (const std::optional<Visibility> fast = fast_answer(p)) return *fast;
     ++exact_answers_;
     return exact_answer(light_, obstacles_.obstacles(), p);
@@ -130,8 +130,8 @@ class LightVisibility::Work {
   std::size_t exact_answers() const { return exact_answers_; }
 
  private:
-  template <class Looking>
-  std::optional<Visibility> fast_answer(const Looking& p) {
+  template <class Viewer>
+  std::optional<Visibility> fast_answer(const Viewer& p) {
     if (obstacles_.content().encloses(p)) return std::nullopt;
     const std::optional<Visibility> seen = std::visit([&](auto& level) { return visibility(level, p); }, fast_);
     if (!seen || !(seen->error_bound <= widest_bound)) return std::nullopt;

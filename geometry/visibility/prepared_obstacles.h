@@ -23,13 +23,13 @@ struct PreparedObstacles::Content {
   explicit Content(Obstacles given);
 
   /// True if the point is enclosed: see is_enclosed. Where it lies in the box around no enclosure this is quick.
-  template <class Looking>
-  bool encloses(const Looking& p) const {
+  template <class Viewer>
+  bool encloses(const Viewer& p) const {
     return may_enclose(place_of(p)) && is_enclosed(obstacles, p);
   }
 
   /// The blockers made ready for one linear light. Whoever asks for the same, on whatever thread, gets the same.
-  std::shared_ptr<const sight::OccluderIndex> occluders(const LinearLight& light, const LinearSearch& search) const;
+  std::shared_ptr<const viewpoint::OccluderIndex> occluders(const LinearLight& light, const LinearSearch& search) const;
 
   /// A shadow tree of all blockers under a light without size, shared likewise.
   std::shared_ptr<PatientShadowTree> shadow_tree(const ShadowTree::SmallLight& light) const;
@@ -42,7 +42,7 @@ struct PreparedObstacles::Content {
   struct Made {
     Point3 start, end;
     LinearSearch search;
-    std::weak_ptr<const sight::OccluderIndex> index;
+    std::weak_ptr<const viewpoint::OccluderIndex> index;
   };
   static const Point3& place_of(const Point3& p) { return p; }
   static const Point3& place_of(const ReceiverPoint& receiver) { return receiver.point; }

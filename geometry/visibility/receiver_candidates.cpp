@@ -5,7 +5,7 @@
 #include "geometry/numbers/orientation.h"
 #include "geometry/visibility/common_part.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 namespace {
 
 /// Whether the box around the points holds p.
@@ -45,4 +45,4 @@ bool keep_before(const ReceiverPoint& receiver, const BlockerSet::Content& block
   return apart;
 }
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

@@ -8,7 +8,7 @@
 #include "geometry/visibility/blocker_content.h"
 #include "geometry/visibility/receiver_front.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 
 /// Keeps of the blockers found those that reach before the receiver's plane and do not lie under the point.
 ///
@@ -16,4 +16,4 @@ namespace gnomon::sight {
 /// Exactness: signs.
 bool keep_before(const ReceiverPoint& receiver, const BlockerSet::Content& blockers, std::vector<std::uint32_t>& found);
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

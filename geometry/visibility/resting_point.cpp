@@ -52,9 +52,9 @@ std::vector<NearFacet> near_facets(const Content& content, std::span<const std::
   std::vector<NearFacet> found;
   for (const std::uint32_t blocker : blockers) {
     any_facet(content, blocker, [&](std::span<const Point3> corners, bool is_solid) {
-      const sight::Nearness nearness = sight::nearness(corners, p);
-      if (nearness != sight::Nearness::apart && sight::faces_alike(corners, normal, is_solid)) {
-        found.push_back({blocker, {corners.begin(), corners.end()}, nearness == sight::Nearness::inside});
+      const viewpoint::Nearness nearness = viewpoint::nearness(corners, p);
+      if (nearness != viewpoint::Nearness::apart && viewpoint::faces_alike(corners, normal, is_solid)) {
+        found.push_back({blocker, {corners.begin(), corners.end()}, nearness == viewpoint::Nearness::inside});
       }
       return false;
     });
@@ -64,7 +64,7 @@ std::vector<NearFacet> near_facets(const Content& content, std::span<const std::
 
 /// Whether a facet goes on beyond a side of another, in its plane but for rounding.
 bool continues(const NearFacet& other, const NearFacet& facet, std::size_t side) {
-  if (!sight::reaches_beyond(facet.corners, side, other.corners)) return false;
+  if (!viewpoint::reaches_beyond(facet.corners, side, other.corners)) return false;
   std::vector<Point3> both = facet.corners;
   both.insert(both.end(), other.corners.begin(), other.corners.end());
   const auto plane = polygon_plane(both);
@@ -74,7 +74,7 @@ bool continues(const NearFacet& other, const NearFacet& facet, std::size_t side)
 bool rests_on(const NearFacet& facet, std::span<const NearFacet> all, const Point3& p) {
   if (facet.is_inside) return true;
   for (std::size_t side = 0; side < facet.corners.size(); ++side) {
-    if (!sight::is_near_side(facet.corners, side, p)) continue;
+    if (!viewpoint::is_near_side(facet.corners, side, p)) continue;
     if (std::ranges::none_of(all, [&](const NearFacet& other) { return continues(other, facet, side); })) return false;
   }
   return true;
@@ -100,7 +100,7 @@ bool is_within_rounding(const PreparedObstacles& obstacles, const Point3& p) {
   content.collect_near(p, near);
   return std::any_of(near.begin(), near.end(), [&](std::uint32_t blocker) {
     return any_facet(content, blocker, [&](std::span<const Point3> corners, bool) {
-      return sight::nearness(corners, p) != sight::Nearness::apart &&
+      return viewpoint::nearness(corners, p) != viewpoint::Nearness::apart &&
              exact_orientation(corners[0], corners[1], corners[2], p) != 0;
     });
   });

@@ -6,9 +6,9 @@
 
 #include "geometry/bodies/polygon_checks.h"
 #include "geometry/numbers/exact_vector.h"
-#include "geometry/visibility/sightline.h"
+#include "geometry/visibility/viewpoint_rays.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 namespace {
 
 /// What rounding may have moved a coordinate by, in units of the larger of the sizes involved.
@@ -101,4 +101,4 @@ bool faces_alike(std::span<const Point3> corners, const Point3& normal, bool one
   return 4 * product * product >= dot(a, a) * dot(b, b);
 }
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

@@ -6,7 +6,7 @@
 
 #include "gnomon/point.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 
 /// How a point lies to a convex polygon.
 enum class Nearness {
@@ -29,4 +29,4 @@ bool reaches_beyond(std::span<const Point3> corners, std::size_t side, std::span
 /// `one_sided`: and the polygon's front and the normal are on one side.
 bool faces_alike(std::span<const Point3> corners, const Point3& normal, bool one_sided);
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

@@ -6,7 +6,7 @@
 #include "geometry/numbers/orientation.h"
 #include "geometry/numbers/rounding.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 namespace {
 
 FragmentCorner corner_at(const ExactVector& p, std::int32_t edge) {
@@ -105,4 +105,4 @@ SplitFragment split(const Fragment& fragment, const SignedPlane& plane) {
   return result;
 }
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "geometry/numbers/exact_vector.h"
-#include "geometry/visibility/sightline.h"
+#include "geometry/visibility/viewpoint_rays.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 
 /// An oriented plane that doubles judge where they can: given by three points, or by two points and a direction.
 class SignedPlane {
@@ -65,4 +65,4 @@ struct SplitFragment {
 };
 SplitFragment split(const Fragment& fragment, const SignedPlane& plane);
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

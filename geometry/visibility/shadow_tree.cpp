@@ -8,8 +8,8 @@
 namespace gnomon {
 namespace {
 
-using sight::Fragment;
-using sight::SplitFragment;
+using viewpoint::Fragment;
+using viewpoint::SplitFragment;
 using Tree = ShadowTree::Content;
 
 /// What a point's path through the tree found.
@@ -20,7 +20,7 @@ struct Path {
 
 Path path_of(const Tree& tree, const Point3& p) {
   Path path;
-  if (tree.is_open || !sight::is_in_range(p) || tree.light == p) return path;
+  if (tree.is_open || !viewpoint::is_in_range(p) || tree.light == p) return path;
   Tree::Place place = tree.root;
   while (place >= 0) {
     const Tree::Node& node = tree.nodes[static_cast<std::size_t>(place)];
@@ -45,7 +45,7 @@ Path path_of(const Tree& tree, const Point3& p) {
 
 ExactPolygon polygon_of(const Fragment& fragment) {
   ExactPolygon polygon;
-  for (const sight::FragmentCorner& corner : fragment) polygon.push_back(corner.point);
+  for (const viewpoint::FragmentCorner& corner : fragment) polygon.push_back(corner.point);
   return polygon;
 }
 
@@ -53,13 +53,13 @@ void append_pieces(const Tree& tree, Tree::Place place, Fragment fragment, Shado
   if (fragment.empty()) return;
   if (place >= 0) {
     const Tree::Node& node = tree.nodes[static_cast<std::size_t>(place)];
-    SplitFragment parts = sight::split(fragment, node.plane);
+    SplitFragment parts = viewpoint::split(fragment, node.plane);
     append_pieces(tree, node.positive, std::move(parts.positive), pieces);
     append_pieces(tree, node.negative, std::move(parts.negative), pieces);
     return;
   }
   for (const std::uint32_t facet : tree.leaves[Tree::leaf_of(place)]) {
-    SplitFragment parts = sight::split(fragment, tree.facets[facet]);
+    SplitFragment parts = viewpoint::split(fragment, tree.facets[facet]);
     if (!parts.negative.empty()) pieces.shadow.push_back(polygon_of(parts.negative));
     // A part in the facet's own plane is not behind it.
     if (parts.positive.empty() && parts.negative.empty()) continue;
@@ -92,7 +92,7 @@ std::optional<Region> ShadowTree::region_from(const Point3& point) const {
 
 ShadowPieces ShadowTree::pieces(std::span<const Point3> polygon) const {
   ShadowPieces pieces;
-  append_pieces(*content_, content_->root, sight::fragment_of(polygon), pieces);
+  append_pieces(*content_, content_->root, viewpoint::fragment_of(polygon), pieces);
   return pieces;
 }
 

@@ -8,9 +8,9 @@
 namespace gnomon {
 namespace {
 
-using sight::Fragment;
-using sight::FragmentCorner;
-using sight::SignedPlane;
+using viewpoint::Fragment;
+using viewpoint::FragmentCorner;
+using viewpoint::SignedPlane;
 using Corners = std::vector<Point3>;
 using Tree = ShadowTree::Content;
 
@@ -87,7 +87,7 @@ class Builder {
       }
       facet_ = static_cast<std::uint32_t>(tree_.facets.size());
       tree_.facets.push_back(SignedPlane::through(c[0], c[1], c[2]));
-      insert(tree_.root, sight::fragment_of(c));
+      insert(tree_.root, viewpoint::fragment_of(c));
     }
   }
 
@@ -96,7 +96,7 @@ class Builder {
     double depth = HUGE_VAL;
     for (const Point3& p : corners) {
       depth = std::min(depth, source_.depth(p));
-      if (!sight::is_in_range(p)) tree_.is_open = true;
+      if (!viewpoint::is_in_range(p)) tree_.is_open = true;
     }
     facets_.push_back({std::move(corners), is_edge_on, depth});
   }
@@ -128,7 +128,7 @@ class Builder {
     if (fragment.empty()) return;
     if (place < 0) return put_into_leaf(place, fragment);
     const auto node = static_cast<std::size_t>(place);
-    const sight::SplitFragment parts = sight::split(fragment, tree_.nodes[node].plane);
+    const viewpoint::SplitFragment parts = viewpoint::split(fragment, tree_.nodes[node].plane);
     // Nodes move in memory while others are added.
     for (const auto& [part, child] :
          {std::pair{&parts.positive, &Tree::Node::positive}, std::pair{&parts.negative, &Tree::Node::negative}}) {
@@ -201,7 +201,7 @@ void add_shadows(const ShadowTree::SmallLight& light, std::span<const ConvexBloc
   const Source source(light);
   tree.root = tree.add_leaf({});
   if (source.is_near) tree.light = source.place;
-  tree.is_open = !sight::is_in_range(source.place);
+  tree.is_open = !viewpoint::is_in_range(source.place);
   Builder builder(source, tree);
   for (const ConvexBlocker& blocker : blockers) builder.add(blocker);
   if (!tree.is_open) builder.build();

@@ -15,14 +15,14 @@ class ShadowTree::Content {
   using Place = std::int32_t;
 
   struct Node {
-    sight::SignedPlane plane;
+    viewpoint::SignedPlane plane;
     Place positive;
     Place negative;
   };
 
   std::vector<Node> nodes;
   std::vector<std::vector<std::uint32_t>> leaves;  ///< facets that hide all of the cell
-  std::vector<sight::SignedPlane> facets;          ///< their planes, the light on the positive side
+  std::vector<viewpoint::SignedPlane> facets;      ///< their planes, the light on the positive side
   Place root = -1;
   std::optional<Point3> light;  ///< of a point light; nothing is decided there
   bool is_open = false;         ///< nothing is decided: the light touches a solid, or coordinates are too large

@@ -1,6 +1,6 @@
 #include "geometry/visibility/silhouette.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 namespace {
 
 /// Two coordinates in which a plane with this normal does not collapse.
@@ -24,4 +24,4 @@ LightPlane light_plane(const Point3& a, const Point3& b, const Point3& c) {
   return plane;
 }
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
-#include "geometry/visibility/sightline.h"
+#include "geometry/visibility/viewpoint_rays.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 
 /// A box on the light's plane, in two of its coordinates; closed, and large enough whatever was rounded.
 struct FlatBox {
@@ -172,4 +172,4 @@ struct LightSide {
   LightPlane plane;                  ///< with its height over the apex of the question
 };
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

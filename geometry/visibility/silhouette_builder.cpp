@@ -6,7 +6,7 @@
 #include "geometry/numbers/orientation.h"
 #include "geometry/visibility/common_part.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 
 SilhouetteBuilder::SilhouetteBuilder(const Point3& apex, const LightSide& light, Silhouettes& silhouettes)
     : apex_(apex),
@@ -42,7 +42,7 @@ SilhouetteBuilder::SilhouetteBuilder(const Point3& apex, std::span<const Point3,
   append_light({}, {});
 }
 
-Seen SilhouetteBuilder::look_at(const BlockerSet::Content& blockers, std::uint32_t blocker) {
+Outcome SilhouetteBuilder::look_at(const BlockerSet::Content& blockers, std::uint32_t blocker) {
   const BlockerSet::Content::Shape& shape = blockers.shapes[blocker];
   if (shape.solid >= 0) return append_solid(blockers.solids[static_cast<std::size_t>(shape.solid)], blocker);
   const std::span<const std::uint32_t> names{blockers.names.data() + shape.first, shape.count};
@@ -60,9 +60,9 @@ Gathered SilhouetteBuilder::append_blockers(const BlockerSet::Content& blockers,
   Gathered result = Gathered::kept;
   for (const std::uint32_t candidate : candidates) {
     const std::size_t kept = silhouettes_.list.size();
-    const Seen seen = look_at(blockers, candidate);
-    if (seen == Seen::covers) return Gathered::covered;
-    if (seen != Seen::undecided) continue;
+    const Outcome outcome = look_at(blockers, candidate);
+    if (outcome == Outcome::covers) return Gathered::covered;
+    if (outcome != Outcome::undecided) continue;
     if (is_between(blockers, candidate)) result = Gathered::undecided;
     if (silhouettes_.list.size() == kept) continue;
     silhouettes_.list.pop_back();
@@ -113,10 +113,10 @@ void SilhouetteBuilder::append_light(std::span<const FlatPoint> flats, const Fla
   silhouettes_.list.push_back({0, static_cast<std::uint32_t>(silhouettes_.rays.size()), 0, false, box});
 }
 
-Seen SilhouetteBuilder::dropped() {
+Outcome SilhouetteBuilder::dropped() {
   silhouettes_.rays.resize(first_);
   silhouettes_.planes.resize(first_);
-  return Seen::apart;
+  return Outcome::apart;
 }
 
 /// Notes on which side of the pyramid's planes the rays run, as far as doubles know and until one of the planes has all
@@ -223,7 +223,7 @@ SilhouetteBuilder::Beyond SilhouetteBuilder::light_beyond(const Point3& a, const
 }
 
 /// Looks from the light's corners to the silhouette's planes.
-Seen SilhouetteBuilder::seen_by_light(const Silhouette& silhouette) {
+Outcome SilhouetteBuilder::before_light(const Silhouette& silhouette) {
   const std::span<const Ray> light = silhouettes_.rays_of(silhouettes_.list.front());
   if (silhouettes_.of_light.size() < light.size() * silhouettes_.planes.size()) {
     silhouettes_.of_light.resize(2 * light.size() * silhouettes_.planes.size());
@@ -241,24 +241,24 @@ Seen SilhouetteBuilder::seen_by_light(const Silhouette& silhouette) {
       covers = covers && sign >= 0;
       *row++ = static_cast<std::int8_t>(sign);
     }
-    if (apart && !along) return Seen::apart;
+    if (apart && !along) return Outcome::apart;
     runs_along = runs_along || along;
   }
-  if (runs_along && along_ == Along::undecided) return Seen::undecided;
-  return covers ? Seen::covers : Seen::kept;
+  if (runs_along && along_ == Along::undecided) return Outcome::undecided;
+  return covers ? Outcome::covers : Outcome::kept;
 }
 
 /// Closes the silhouette if it may hide something.
-Seen SilhouetteBuilder::finished(std::uint32_t element) {
+Outcome SilhouetteBuilder::finished(std::uint32_t element) {
   Silhouette silhouette;
   silhouette.first = first_;
   silhouette.count = static_cast<std::uint32_t>(silhouettes_.rays.size()) - first_;
   silhouette.element = element;
   silhouette.inside = inside_;
   silhouette.reversed = reversed_;
-  const Seen seen = inside_ ? Seen::kept : seen_by_light(silhouette);
-  if (seen == Seen::apart) return dropped();
-  if (seen != Seen::kept) return seen;
+  const Outcome outcome = inside_ ? Outcome::kept : before_light(silhouette);
+  if (outcome == Outcome::apart) return dropped();
+  if (outcome != Outcome::kept) return outcome;
   if (!sides_are_exact_) make_sides_exact(silhouette);
   silhouettes_.flats.resize(first_);
   for (const Ray& ray : silhouettes_.rays_of(silhouette)) {
@@ -267,11 +267,11 @@ Seen SilhouetteBuilder::finished(std::uint32_t element) {
   }
   silhouette.box.cut(silhouettes_.list.front().box);
   silhouettes_.list.push_back(silhouette);
-  return Seen::kept;
+  return Outcome::kept;
 }
 
-Seen SilhouetteBuilder::append_flat(std::span<const Point3> corners, std::span<const std::uint32_t> names,
-                                    std::uint32_t element) {
+Outcome SilhouetteBuilder::append_flat(std::span<const Point3> corners, std::span<const std::uint32_t> names,
+                                       std::uint32_t element) {
   append_rays(corners);
   if (certainly_outside() || certainly_behind_apex()) return dropped();
   const Depth depth = depth_of(std::span(silhouettes_.rays).subspan(first_));
@@ -279,17 +279,17 @@ Seen SilhouetteBuilder::append_flat(std::span<const Point3> corners, std::span<c
   if (append_counterclockwise(names) == 0) {
     const bool open = hides_edge_on(corners);
     dropped();
-    return open ? Seen::undecided : Seen::apart;
+    return open ? Outcome::undecided : Outcome::apart;
   }
   if (depth == Depth::in_front) {
-    const Seen seen = finished(element);
-    if (seen == Seen::apart) return seen;
-    return runs_along_light(std::span(silhouettes_.rays).subspan(first_)) ? Seen::undecided : seen;
+    const Outcome outcome = finished(element);
+    if (outcome == Outcome::apart) return outcome;
+    return runs_along_light(std::span(silhouettes_.rays).subspan(first_)) ? Outcome::undecided : outcome;
   }
   const Beyond beyond = light_beyond(corners[0], corners[1], corners[2]);
   if (beyond == Beyond::none) return dropped();
-  const Seen seen = finished(element);
-  return beyond == Beyond::part && seen != Seen::apart ? Seen::undecided : seen;
+  const Outcome outcome = finished(element);
+  return beyond == Beyond::part && outcome != Outcome::apart ? Outcome::undecided : outcome;
 }
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

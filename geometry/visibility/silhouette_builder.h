@@ -7,10 +7,10 @@
 #include "geometry/visibility/blocker_content.h"
 #include "geometry/visibility/silhouette.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 
 /// What became of a blocker.
-enum class Seen {
+enum class Outcome {
   apart,      ///< it hides nothing
   kept,       ///< appended to the silhouettes; it may hide something
   covers,     ///< it hides the whole light
@@ -49,10 +49,10 @@ class SilhouetteBuilder {
   Gathered append_blockers(const BlockerSet::Content& blockers, std::span<const std::uint32_t> candidates);
 
   /// Looks at a flat blocker's corners.
-  Seen append_flat(std::span<const Point3> corners, std::span<const std::uint32_t> names, std::uint32_t element);
+  Outcome append_flat(std::span<const Point3> corners, std::span<const std::uint32_t> names, std::uint32_t element);
 
   /// Looks at a solid blocker.
-  Seen append_solid(const ConvexSolid& solid, std::uint32_t element);
+  Outcome append_solid(const ConvexSolid& solid, std::uint32_t element);
 
  private:
   enum class Extent { area, length };
@@ -62,21 +62,21 @@ class SilhouetteBuilder {
   void append_rays(std::span<const Point3> corners);
   void reverse_rays();
   void append_planes(std::span<const std::uint32_t> names, bool reversed);
-  Seen seen_from_inside(const ConvexSolid& solid) const;
+  Outcome from_inside(const ConvexSolid& solid) const;
   bool certainly_outside();
   void make_sides_exact(const Silhouette& silhouette);
   bool certainly_behind_apex() const;
   Depth depth_of(std::span<const Ray> rays) const;
   int append_counterclockwise(std::span<const std::uint32_t> names);
   void append_light(std::span<const FlatPoint> flats, const FlatBox& box);
-  Seen look_at(const BlockerSet::Content& blockers, std::uint32_t blocker);
+  Outcome look_at(const BlockerSet::Content& blockers, std::uint32_t blocker);
   bool runs_along_light(std::span<const Ray> rays) const;
   bool hides_edge_on(std::span<const Point3> corners) const;
   Beyond light_beyond(const Point3& a, const Point3& b, const Point3& c) const;
   bool light_beyond_all_shown(const ConvexSolid& solid) const;
-  Seen finished(std::uint32_t element);
-  Seen seen_by_light(const Silhouette& silhouette);
-  Seen dropped();
+  Outcome finished(std::uint32_t element);
+  Outcome before_light(const Silhouette& silhouette);
+  Outcome dropped();
   bool is_between(const BlockerSet::Content& blockers, std::uint32_t blocker) const;
 
   Point3 apex_;
@@ -92,4 +92,4 @@ class SilhouetteBuilder {
   bool reversed_ = false;        ///< its rays run against the corners' order
 };
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 namespace {
 
 /// With fewer silhouettes looking at each is faster.
@@ -92,4 +92,4 @@ void SilhouetteGrid::find(const FlatBox& box, std::vector<std::uint32_t>& found)
   std::sort(found.begin(), found.end());
 }
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

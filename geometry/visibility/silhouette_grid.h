@@ -8,7 +8,7 @@
 
 #include "geometry/visibility/silhouette.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 
 /// Cells over the box of the light, each with the silhouettes whose boxes meet it. Its memory is used again.
 ///
@@ -40,4 +40,4 @@ class SilhouetteGrid {
   std::uint32_t search_ = 0;
 };
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

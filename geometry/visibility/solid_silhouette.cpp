@@ -4,7 +4,7 @@
 #include "geometry/visibility/silhouette_builder.h"
 
 // What SilhouetteBuilder does with solids: they show their silhouette, and hide from within.
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 namespace {
 
 /// An edge between a facet that shows itself to the apex and one that does not.
@@ -39,7 +39,7 @@ std::vector<SolidEdge> silhouette_of(const Point3& apex, const ConvexSolid& soli
 }  // namespace
 
 /// Near the apex the solid is what lies behind all facets through it; a segment meets the solid if it starts into that.
-Seen SilhouetteBuilder::seen_from_inside(const ConvexSolid& solid) const {
+Outcome SilhouetteBuilder::from_inside(const ConvexSolid& solid) const {
   const std::span<const Point3> points = solid.points();
   bool covers = true;
   for (const ConvexSolid::Facet& facet : solid.facets()) {
@@ -55,9 +55,9 @@ Seen SilhouetteBuilder::seen_from_inside(const ConvexSolid& solid) const {
       along = along && side == 0;
       covers = covers && side <= 0;
     }
-    if (apart && !along) return Seen::apart;
+    if (apart && !along) return Outcome::apart;
   }
-  return covers ? Seen::covers : Seen::undecided;
+  return covers ? Outcome::covers : Outcome::undecided;
 }
 
 /// True if the light lies beyond every facet that shows itself to the apex, or in its plane; a linear light not wholly
@@ -80,10 +80,10 @@ bool SilhouetteBuilder::light_beyond_all_shown(const ConvexSolid& solid) const {
 }
 
 /// A facet seen edge-on leaves several edges in one plane; their common vertices are no rays of the silhouette.
-Seen SilhouetteBuilder::append_solid(const ConvexSolid& solid, std::uint32_t element) {
+Outcome SilhouetteBuilder::append_solid(const ConvexSolid& solid, std::uint32_t element) {
   const std::span<const Point3> points = solid.points();
   const std::vector<SolidEdge> edges = silhouette_of(apex_, solid);
-  if (edges.empty()) return seen_from_inside(solid);
+  if (edges.empty()) return from_inside(solid);
   first_ = static_cast<std::uint32_t>(silhouettes_.rays.size());
   std::vector<std::uint32_t> names;
   for (std::size_t k = 0; k < edges.size(); ++k) {
@@ -100,8 +100,8 @@ Seen SilhouetteBuilder::append_solid(const ConvexSolid& solid, std::uint32_t ele
   if (depth == Depth::behind) return dropped();
   append_counterclockwise(names);
   const bool decided = !runs_along_light(corners) && (depth == Depth::in_front || light_beyond_all_shown(solid));
-  const Seen seen = finished(element);
-  return decided || seen == Seen::apart ? seen : Seen::undecided;
+  const Outcome outcome = finished(element);
+  return decided || outcome == Outcome::apart ? outcome : Outcome::undecided;
 }
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

@@ -7,7 +7,7 @@
 #include "geometry/bodies/boxes.h"
 #include "geometry/numbers/orientation.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 namespace {
 
 using Content = BlockerSet::Content;
@@ -66,4 +66,4 @@ void TurnedAway::remove_from(std::vector<std::uint32_t>& found, const Point3& po
   std::erase_if(found, [&](std::uint32_t b) { return box_of_[b] != none && !holds(boxes_[box_of_[b]], point); });
 }
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

@@ -8,7 +8,7 @@
 
 #include "geometry/visibility/blocker_content.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 
 /// The flat blockers that belong to a closed surface and have no corner of the light before them, each with the box
 /// around its surface. Points outside of that box need not look at them.
@@ -34,4 +34,4 @@ class TurnedAway {
   std::vector<Box3> boxes_;
 };
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

@@ -57,8 +57,8 @@ bool rests_on(const ReceiverPoint& receiver, const ClosedSurface& surface) {
   if (receiver.under.empty() || !facing) return false;
   return std::any_of(surface.triangles.begin(), surface.triangles.end(), [&](const auto& t) {
     const std::array<Point3, 3> corners = {surface.vertices[t[0]], surface.vertices[t[1]], surface.vertices[t[2]]};
-    return sight::nearness(corners, receiver.point) != sight::Nearness::apart &&
-           sight::faces_alike(corners, facing->normal, false);
+    return viewpoint::nearness(corners, receiver.point) != viewpoint::Nearness::apart &&
+           viewpoint::faces_alike(corners, facing->normal, false);
   });
 }
 

@@ -94,9 +94,9 @@ Enclosure share_of(const ExactPolygon& facet, std::span<const ExactPolygon> poly
 
 /// The mean of a share of every facet, weighed by area.
 template <class Share>
-VisibleFraction mean_share(const std::vector<SeenFacet>& facets, Share share) {
+VisibleFraction mean_share(const std::vector<VisibleFacet>& facets, Share share) {
   std::vector<Enclosure> shares;
-  for (const SeenFacet& facet : facets) shares.push_back(share(facet));
+  for (const VisibleFacet& facet : facets) shares.push_back(share(facet));
   if (facets.size() == 1) return rounded(shares[0].least, shares[0].most);
   Enclosure visible, whole;
   for (std::size_t i = 0; i < facets.size(); ++i) {
@@ -116,7 +116,7 @@ VisibleFraction visible_fraction(const VisiblePart& part) {
   if (part.region == Region::lit) return fraction_before(part);
   if (part.region != Region::penumbra) return rounded(0);
   if (!part.facets.empty()) {
-    return mean_share(part.facets, [](const SeenFacet& seen) { return share_of(seen.facet, seen.visible); });
+    return mean_share(part.facets, [](const VisibleFacet& seen) { return share_of(seen.facet, seen.visible); });
   }
   Rational length = 0;
   for (const VisiblePart::Interval& interval : part.intervals) length += interval[1] - interval[0];
@@ -125,10 +125,10 @@ VisibleFraction visible_fraction(const VisiblePart& part) {
 
 VisibleFraction fraction_before(const VisiblePart& part) {
   if (!part.any_before) return rounded(0);
-  const auto is_whole = [](const SeenFacet& seen) { return seen.before == seen.facet; };
+  const auto is_whole = [](const VisibleFacet& seen) { return seen.before == seen.facet; };
   if (part.facets.empty()) return rounded(Rational((*part.before)[1] - (*part.before)[0]));
   if (std::all_of(part.facets.begin(), part.facets.end(), is_whole)) return rounded(1);
-  return mean_share(part.facets, [](const SeenFacet& seen) {
+  return mean_share(part.facets, [](const VisibleFacet& seen) {
     if (seen.before.empty()) return Enclosure{};
     return share_of(seen.facet, {&seen.before, 1});
   });

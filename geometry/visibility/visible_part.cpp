@@ -123,8 +123,8 @@ int side(const ExactPolygon& facet, const ExactVector& p) {
 }
 
 bool shows_face(const ExactPolygon& facet, bool two_sided, const ExactVector& p) {
-  const int seen_from = side(facet, p);
-  return two_sided ? seen_from != 0 : seen_from > 0;
+  const int visible_from = side(facet, p);
+  return two_sided ? visible_from != 0 : visible_from > 0;
 }
 
 Region region_of_point_light(bool is_before, bool is_hidden) {
@@ -206,7 +206,7 @@ struct VisiblePartOf {
     bool all_hidden = true;
     bool any_hidden = false;
     for (const ExactPolygon& facet : facets) {
-      SeenFacet seen{facet, {}, before.of(facet)};
+      VisibleFacet seen{facet, {}, before.of(facet)};
       if (before.plane && !is_unlit && !is_seen(facet)) seen.before.clear();
       if (seen.before.empty()) {
         part.facets.push_back(std::move(seen));
@@ -225,7 +225,7 @@ struct VisiblePartOf {
     return part;
   }
 
-  void look_at(SeenFacet& seen) const {
+  void look_at(VisibleFacet& seen) const {
     seen.visible = remaining(Polygons{seen.before}, hidden, [](const ExactPolygon& piece, const auto& conditions) {
       return visible_pieces(piece, conditions);
     });

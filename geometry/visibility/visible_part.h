@@ -12,7 +12,7 @@
 namespace gnomon {
 
 /// A flat piece of an area light, and what is seen of it.
-struct SeenFacet {
+struct VisibleFacet {
   ExactPolygon facet;                 ///< counterclockwise seen from its front
   std::vector<ExactPolygon> visible;  ///< convex, each with an area, not overlapping; wound like the facet
   ExactPolygon before = facet;        ///< what of it lies before the receiver; empty if that has no area
@@ -24,7 +24,7 @@ struct VisiblePart {
   using Interval = std::array<Rational, 2>;
 
   Region region = Region::lit;
-  std::vector<SeenFacet>
+  std::vector<VisibleFacet>
       facets;  ///< of an area light: one, or the triangles of a rounded polygon; none if a bare point is unlit
   std::vector<Interval> intervals;  ///< of a linear light: disjoint, each with a length, ascending
   bool any_before = true;           ///< whether anything of the light lies before the receiver

@@ -8,9 +8,9 @@
 ///       using namespace gnomon::planar;
 ///       const std::vector<gnomon::Point2> light = {{-3, 8}, {3, 8}};
 ///       const std::vector<BlockerSegment> walls = {{{{-4, 4}, {-0.25, 4}}}, {{{-0.5, 3}, {3.5, 3}}}};
-///       const Sight sight(Flatland::from_points(light, walls));
-///       return sight.region({-0.375, 1}) == gnomon::Region::umbra && sight.exact_fraction({9, 9}).exact == "1" ? 0 :
-///       1;
+///       const LightVisibility visibility(Flatland::from_points(light, walls));
+///       return visibility.region({-0.375, 1}) == gnomon::Region::umbra && visibility.exact_fraction({9, 9}).exact ==
+///       "1" ? 0 : 1;
 ///     }
 
 #include <array>
@@ -111,9 +111,9 @@ VisibleFraction visible_fraction(const VisibleLight& seen);
 ///             blocker is asked itself, not a limit from one side.
 /// Exactness:  which ends bound the intervals, in which order, and the region: exact for every finite input.
 /// Cost:       O(n) to prepare, O(n log n) for a point, less where much of the light is hidden.
-class Sight {
+class LightVisibility {
  public:
-  explicit Sight(Flatland flatland);
+  explicit LightVisibility(Flatland flatland);
 
   const Flatland& flatland() const { return flatland_; }
 
@@ -127,7 +127,7 @@ class Sight {
   ExactNumber exact_fraction(const Point2& point) const;
 
  private:
-  friend class SightQuery;
+  friend class VisibilityQuery;
 
   /// An end of a piece, relative to light end 0; heights are twice areas over the light, positive on the piece's side.
   struct End {

@@ -8,7 +8,7 @@
 ///       using namespace gnomon::planar;
 ///       const gnomon::Point2 light[] = {{-2, 4}, {2, 4}};
 ///       const BlockerSegment wall = {{{-1, 2}, {1, 2}}};
-///       const Partition parts = partition(Sight(Flatland::from_points(light, {&wall, 1})));
+///       const Partition parts = partition(LightVisibility(Flatland::from_points(light, {&wall, 1})));
 ///       const PartitionLocation location(parts);  // made ready for many points
 ///       return parts.count(gnomon::Region::umbra) == 1 && location.region({0, 1}) == gnomon::Region::umbra ? 0 : 1;
 ///     }
@@ -93,7 +93,7 @@ class Partition {
   const std::vector<PartitionEdge>& edges() const;
   const std::vector<PartitionFace>& faces() const;
   const std::vector<BoundaryName>& names() const;
-  const Sight& sight() const;
+  const LightVisibility& visibility() const;
   const std::optional<Box2>& box() const;
 
   /// The number of faces of a region: its components.
@@ -118,7 +118,7 @@ struct PartitionOptions {
 /// Throws:   PreconditionError.
 /// Cost:     grows with the arrangement of the event rays, which are cut where no light reaches them.
 /// After:    [P93] §4.2.2.2.
-Partition partition(const Sight& sight, const PartitionOptions& options = {});
+Partition partition(const LightVisibility& visibility, const PartitionOptions& options = {});
 
 /// A triangle of a face. Orientation: counterclockwise; corners index PartitionInBox::points.
 struct FaceTriangle {
@@ -155,9 +155,9 @@ PartitionInBox partition_in_box(const Partition& partition);
 /// Definition: the plane is cut into slabs by the upright lines through the vertices; the edges that cross a slab have
 ///             one order in all of it.
 /// Degenerate: a point on an edge or a vertex lies in no face, and what holds there is asked of the point itself.
-/// Exactness:  all answers are those of Sight for every finite point.
+/// Exactness:  all answers are those of LightVisibility for every finite point.
 /// Cost:       to prepare O(v (log v + e)) for v vertices and at most e edges across a slab, in time and in memory. A
-///             point in a face O(log v); one on an edge or a vertex, or outside the box, what it costs Sight.
+///             point in a face O(log v); one on an edge or a vertex, or outside the box, what it costs LightVisibility.
 class PartitionLocation {
  public:
   explicit PartitionLocation(const Partition& partition);
@@ -168,7 +168,8 @@ class PartitionLocation {
   /// The region of the point.
   Region region(const Point2& point) const;
 
-  /// What the point sees of the light. In a penumbra face of a partition without the structure, what it costs Sight.
+  /// What the point sees of the light. In a penumbra face of a partition without the structure, what it costs
+  /// LightVisibility.
   ///
   /// Degenerate: where two ends hide one another as seen from the point, an interval may bear the name of either.
   VisibleLight visible_light(const Point2& point) const;

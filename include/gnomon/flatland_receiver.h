@@ -8,9 +8,9 @@
 ///       using namespace gnomon;
 ///       const Point2 light[] = {{-2, 4}, {2, 4}};
 ///       const planar::BlockerSegment wall = {{{-1, 2}, {1, 2}}};
-///       const planar::Sight sight(planar::Flatland::from_points(light, {&wall, 1}));
-///       const auto events = planar::receiver_events(sight, {{{-9, 1}, {9, 1}}});
-///       return events.size() == 4 && planar_irradiance(sight, {{3, 1}, {0, 1}}).value > 0 ? 0 : 1;
+///       const planar::LightVisibility visibility(planar::Flatland::from_points(light, {&wall, 1}));
+///       const auto events = planar::receiver_events(visibility, {{{-9, 1}, {9, 1}}});
+///       return events.size() == 4 && planar_irradiance(visibility, {{3, 1}, {0, 1}}).value > 0 ? 0 : 1;
 ///     }
 
 #include <array>
@@ -43,7 +43,7 @@ struct ReceiverEvent {
 /// Exactness:  all decisions are exact.
 /// Throws:     PreconditionError.
 /// After:      [P93] §4.2.3.2.
-std::vector<ReceiverEvent> receiver_events(const Sight& sight, const std::array<Point2, 2>& receiver);
+std::vector<ReceiverEvent> receiver_events(const LightVisibility& visibility, const std::array<Point2, 2>& receiver);
 
 }  // namespace gnomon::planar
 
@@ -71,7 +71,7 @@ struct BoundedIrradiance {
 /// Units:      those of `radiance` times radian.
 /// Throws:     PreconditionError.
 /// After:      [P93] §4.2.2.
-BoundedIrradiance planar_irradiance(const planar::Sight& sight, const PlanarReceiverPoint& receiver,
+BoundedIrradiance planar_irradiance(const planar::LightVisibility& visibility, const PlanarReceiverPoint& receiver,
                                     double radiance = 1);
 
 }  // namespace gnomon

@@ -242,6 +242,6 @@ struct SceneBodies {
 SceneBodies scene_bodies(const SpaceScene& scene);
 
 /// What points of a scene of the plane see of one of its lights.
-planar::Sight planar_sight(const PlaneScene& scene, const PlanarLight& light);
+planar::LightVisibility planar_visibility(const PlaneScene& scene, const PlanarLight& light);
 
 }  // namespace gnomon

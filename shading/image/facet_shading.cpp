@@ -7,7 +7,7 @@
 #include "geometry/visibility/prepared_obstacles.h"
 #include "shading/image/scene_radiance.h"
 #include "shading/receiver_grid.h"
-#include "shading/reflection/sight.h"
+#include "shading/reflection/reflection_query.h"
 
 namespace gnomon::image {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "shading/receiver_grid.h"
 #include "shading/reflection/emission.h"
-#include "shading/reflection/sight.h"
+#include "shading/reflection/reflection_query.h"
 
 namespace gnomon::image {
 namespace {

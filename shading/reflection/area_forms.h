@@ -10,7 +10,7 @@ namespace gnomon::shading {
 /// The boundary of what is visible of an area light.
 /// Orientation: the visible part lies to the left, seen from outside of the sphere of directions.
 template <class Number>
-struct SeenBoundary {
+struct VisibleBoundary {
   std::vector<Arc<Number>> above_horizon;  ///< of what lies above the surface's horizon, closed along that
   std::vector<Arc<Number>> before_mirror;  ///< of what of that also has R . u >= 0, open along R's plane
   Number closing = 0.0;                    ///< the angle about R of the arcs that close that
@@ -18,7 +18,7 @@ struct SeenBoundary {
 
 /// Irradiance of radiance 1. After: Lambert; [P93] §3.2.
 template <class Number>
-Number area_diffuse(const SeenBoundary<Number>& seen, const Vector3<Number>& normal) {
+Number area_diffuse(const VisibleBoundary<Number>& seen, const Vector3<Number>& normal) {
   Number sum = 0.0;
   for (const Arc<Number>& arc : seen.above_horizon) sum = sum + dot(normal, arc.axis) * arc.angle;
   return Number(0.5) * sum;
@@ -41,7 +41,7 @@ Number triangle_angle(const Vector3<Number>& w, const Arc<Number>& arc) {
 template <class Number>
 class AreaMoments {
  public:
-  AreaMoments(const SeenBoundary<Number>& seen, const Vector3<Number>& w, int order)
+  AreaMoments(const VisibleBoundary<Number>& seen, const Vector3<Number>& w, int order)
       : arcs_(seen.before_mirror), along_(arc_sums(arcs_, w, order)) {
     const bool is_even = order % 2 == 0;
     if (is_even) {
@@ -74,7 +74,7 @@ class AreaMoments {
 /// Of a lobe about the mirrored eye: tau^n, or (n+2) times the integral of (R . u)^n (N . u) as n (R . N) tau^(n-1) and
 /// the sum over arcs of (N . m) D_n.
 template <class Number>
-Number mirror_lobe(const SeenBoundary<Number>& seen, const Directions<Number>& view, const Lobe& lobe) {
+Number mirror_lobe(const VisibleBoundary<Number>& seen, const Directions<Number>& view, const Lobe& lobe) {
   const int n = lobe.exponent;
   if (!lobe.has_cosine()) return AreaMoments<Number>(seen, view.mirror, n).value();
   if (n == 0) {
@@ -169,7 +169,8 @@ class HalfwayBound {
 /// the horizon's. `peak` is about the most that the integral may be. What is next to nothing needs no digits of its
 /// own: pieces, however short, would not have them.
 template <class Number>
-Number halfway_lobe(const SeenBoundary<Number>& seen, const Directions<Number>& view, const Lobe& lobe, double peak) {
+Number halfway_lobe(const VisibleBoundary<Number>& seen, const Directions<Number>& view, const Lobe& lobe,
+                    double peak) {
   const GaussEffort effort{1e-12 * std::fmax(peak, 1e-20), 400};
   const Vector3<Number> aside = cross(view.normal, view.eye);
   Number sum = 0.0;
@@ -192,7 +193,7 @@ Number halfway_lobe(const SeenBoundary<Number>& seen, const Directions<Number>& 
 }
 
 template <class Number>
-Number area_lobe(const SeenBoundary<Number>& seen, const Directions<Number>& view, const Lobe& lobe, double peak) {
+Number area_lobe(const VisibleBoundary<Number>& seen, const Directions<Number>& view, const Lobe& lobe, double peak) {
   return lobe.is_about_halfway() ? halfway_lobe(seen, view, lobe, peak) : mirror_lobe(seen, view, lobe);
 }
 

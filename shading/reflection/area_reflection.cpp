@@ -21,7 +21,7 @@ double lobe_peak_of(double solid_angle, const Lobe& lobe) {
 
 /// `whole` is the solid angle of all that is seen: slivers beside the rest need no digits of their own.
 template <class Number>
-Integrals<Number> integrals(const SeenBoundary<Number>& seen, const Directions<Number>& view, const Lobe& lobe,
+Integrals<Number> integrals(const VisibleBoundary<Number>& seen, const Directions<Number>& view, const Lobe& lobe,
                             double whole) {
   Integrals<Number> sums;
   sums.received = area_diffuse(seen, view.normal);
@@ -46,9 +46,10 @@ ExactPolygon cut_before(const ExactPolygon& polygon, const ExactVector& axis) {
 }
 
 /// Visible polygons relative to the point, counterclockwise seen from outside of the sphere of directions.
-std::vector<ExactPolygon> relative_polygons(std::span<const SeenFacet> facets, bool two_sided, const ExactVector& p) {
+std::vector<ExactPolygon> relative_polygons(std::span<const VisibleFacet> facets, bool two_sided,
+                                            const ExactVector& p) {
   std::vector<ExactPolygon> result;
-  for (const SeenFacet& seen : facets) {
+  for (const VisibleFacet& seen : facets) {
     const int side = plane_through(seen.facet[0], seen.facet[1], seen.facet[2]).height(p).sign();
     if (side == 0 || (side < 0 && !two_sided)) continue;
     for (const ExactPolygon& visible : seen.visible) {
@@ -84,10 +85,10 @@ struct ExactViews {
   std::vector<ExactPolygon> above_horizon, before_mirror;
 };
 
-ExactViews exact_views(std::span<const SeenFacet> facets, bool two_sided, const Sight& sight) {
+ExactViews exact_views(std::span<const VisibleFacet> facets, bool two_sided, const ReflectionQuery& query) {
   ExactViews views;
-  const ExactVector normal = exact(sight.normal), mirror = exact_mirror(sight);
-  for (const ExactPolygon& polygon : relative_polygons(facets, two_sided, exact(sight.point))) {
+  const ExactVector normal = exact(query.normal), mirror = exact_mirror(query);
+  for (const ExactPolygon& polygon : relative_polygons(facets, two_sided, exact(query.point))) {
     views.above_horizon.push_back(cut_before(polygon, normal));
     views.before_mirror.push_back(cut_before(views.above_horizon.back(), mirror));
   }
@@ -95,9 +96,9 @@ ExactViews exact_views(std::span<const SeenFacet> facets, bool two_sided, const 
 }
 
 template <class Number>
-Integrals<Number> integrals(const ExactViews& views, const Sight& sight) {
-  const Directions<Number> view = directions<Number>(sight.normal, sight.to_eye);
-  std::vector<SeenBoundary<Number>> boundaries(views.above_horizon.size());
+Integrals<Number> integrals(const ExactViews& views, const ReflectionQuery& query) {
+  const Directions<Number> view = directions<Number>(query.normal, query.to_eye);
+  std::vector<VisibleBoundary<Number>> boundaries(views.above_horizon.size());
   double whole = 0;
   for (std::size_t k = 0; k < boundaries.size(); ++k) {
     add_arcs(boundaries[k].above_horizon, views.above_horizon[k]);
@@ -105,8 +106,8 @@ Integrals<Number> integrals(const ExactViews& views, const Sight& sight) {
     whole += solid_angle_about(boundaries[k].above_horizon);
   }
   Integrals<Number> sums;
-  for (const SeenBoundary<Number>& seen : boundaries) {
-    const Integrals<Number> part = integrals(seen, view, sight.lobe, whole);
+  for (const VisibleBoundary<Number>& seen : boundaries) {
+    const Integrals<Number> part = integrals(seen, view, query.lobe, whole);
     sums.received = sums.received + part.received;
     sums.lobe = sums.lobe + part.lobe;
     sums.received_peak += part.received_peak;
@@ -117,18 +118,18 @@ Integrals<Number> integrals(const ExactViews& views, const Sight& sight) {
 
 }  // namespace
 
-std::optional<Reflection> area_reflection(const LightSeen& seen, const Sight& sight) {
-  const Directions<Bounded> view = directions<Bounded>(sight.normal, sight.to_eye);
-  const std::optional<SeenBoundary<Bounded>> boundary = cut_boundary(seen, view);
+std::optional<Reflection> area_reflection(const VisibleAreaLight& seen, const ReflectionQuery& query) {
+  const Directions<Bounded> view = directions<Bounded>(query.normal, query.to_eye);
+  const std::optional<VisibleBoundary<Bounded>> boundary = cut_boundary(seen, view);
   if (!boundary) return std::nullopt;
-  const Integrals<Bounded> sums = integrals(*boundary, view, sight.lobe, solid_angle_about(boundary->above_horizon));
+  const Integrals<Bounded> sums = integrals(*boundary, view, query.lobe, solid_angle_about(boundary->above_horizon));
   if (!is_narrow(sums)) return std::nullopt;
   return reflection(sums, 0);
 }
 
-Reflection area_reflection(std::span<const SeenFacet> facets, bool two_sided, const Sight& sight) {
-  const ExactViews views = exact_views(facets, two_sided, sight);
-  const auto ask = [&]<class Number>(const Number&) { return integrals<Number>(views, sight); };
+Reflection area_reflection(std::span<const VisibleFacet> facets, bool two_sided, const ReflectionQuery& query) {
+  const ExactViews views = exact_views(facets, two_sided, query);
+  const auto ask = [&]<class Number>(const Number&) { return integrals<Number>(views, query); };
   return with_rising_precision(ask, 0);
 }
 

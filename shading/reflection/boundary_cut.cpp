@@ -8,7 +8,7 @@ using BoundedVector = Vector3<Bounded>;
 /// Bound. The length rounds by less than 3 u of itself, and so do parts of it by 4 u. A vector whose coordinates are
 /// off by a small part of its length turns by no more than that part times the root of 3, and a coordinate moves with
 /// it.
-BoundedVector unit_direction(const SightDirection& d) {
+BoundedVector unit_direction(const VisibleDirection& d) {
   const Vector v = of_size_one(vector(d));
   const double off = d.error * length_above(v), size = length(v);
   if (!(off < 0x1p-10 * size)) return unit_of(BoundedVector{{v.x, off}, {v.y, off}, {v.z, off}});
@@ -107,7 +107,7 @@ Bounded turn_about(const std::vector<Arc<Bounded>>& shadows, const BoundedVector
 
 }  // namespace
 
-std::optional<SeenBoundary<Bounded>> cut_boundary(const LightSeen& seen, const Directions<Bounded>& view) {
+std::optional<VisibleBoundary<Bounded>> cut_boundary(const VisibleAreaLight& seen, const Directions<Bounded>& view) {
   const BoundedVector forward = unit_direction(seen.forward);
   const Fold horizon = horizon_fold(view.normal, forward), mirror = mirror_fold(view, forward);
   Folding to_horizon(horizon), to_mirror(mirror);
@@ -115,7 +115,7 @@ std::optional<SeenBoundary<Bounded>> cut_boundary(const LightSeen& seen, const D
     const BoundedVector axis = unit_direction(piece.normal);
     if (!to_horizon.add(arc_between(unit_direction(piece.start), unit_direction(piece.end), axis))) return std::nullopt;
   }
-  SeenBoundary<Bounded> result;
+  VisibleBoundary<Bounded> result;
   result.above_horizon = std::move(to_horizon.above);
   for (Arc<Bounded>& shadow : to_horizon.shadows) result.above_horizon.push_back(std::move(shadow));
   for (const Arc<Bounded>& arc : result.above_horizon) {

@@ -14,6 +14,6 @@ namespace gnomon::shading {
 ///             That direction does not lead below the light's plane or the horizon, so what is visible is only folded
 ///             onto the plane: pieces need not be in order.
 /// Returns:    nothing where doubles do not tell on which side an end lies, or nothing of the light can be above.
-std::optional<SeenBoundary<Bounded>> cut_boundary(const LightSeen& seen, const Directions<Bounded>& view);
+std::optional<VisibleBoundary<Bounded>> cut_boundary(const VisibleAreaLight& seen, const Directions<Bounded>& view);
 
 }  // namespace gnomon::shading

@@ -1,6 +1,6 @@
 #include "shading/reflection/emission.h"
 
-#include "shading/reflection/sight.h"
+#include "shading/reflection/reflection_query.h"
 
 namespace gnomon::shading {
 namespace {

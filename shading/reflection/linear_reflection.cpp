@@ -131,10 +131,10 @@ void divide(std::vector<Stretch<Rational>>& parts, const Rational& by) {
 }
 
 ExactParts exact_parts(const LinearLight& light, std::span<const std::array<Rational, 2>> intervals,
-                       const Sight& sight) {
-  const Vector3<Rational> start = rational_vector(exact(light.start) - exact(sight.point));
+                       const ReflectionQuery& query) {
+  const Vector3<Rational> start = rational_vector(exact(light.start) - exact(query.point));
   const Vector3<Rational> along = rational_vector(exact(light.end) - exact(light.start));
-  const Vector3<Rational> normal = rational_vector(exact(sight.normal)), mirror = rational_vector(exact_mirror(sight));
+  const Vector3<Rational> normal = rational_vector(exact(query.normal)), mirror = rational_vector(exact_mirror(query));
   ExactParts parts;
   parts.is_end_on = is_null(cross(start, along));
   for (const std::array<Rational, 2>& interval : intervals) {
@@ -142,7 +142,7 @@ ExactParts exact_parts(const LinearLight& light, std::span<const std::array<Rati
     if (cut_before(part, normal) != Cut::done) continue;
     parts.above_horizon.push_back(part);
     parts.holds_point |= parts.is_end_on && dot(part.from, plus(part.from, part.along)) <= 0;
-    if (sight.lobe.is_about_halfway() || cut_before(part, mirror) == Cut::done) parts.before_mirror.push_back(part);
+    if (query.lobe.is_about_halfway() || cut_before(part, mirror) == Cut::done) parts.before_mirror.push_back(part);
   }
   parts.size = nearest_exponent(parts.above_horizon);
   const Rational by = two_to(parts.size);
@@ -192,33 +192,34 @@ Integrals<Number> end_on(const ExactParts& parts, const Directions<Number>& view
 
 }  // namespace
 
-std::optional<Reflection> linear_reflection(const LinearLight& light, const LinearLightSeen& seen, const Sight& sight) {
-  if (!is_shone_at(light, sight.point)) return Reflection{};
-  const int size = std::max(size_of(light.start, sight.point), size_of(light.end, light.start));
-  const Vector3<Bounded> start = rounded_difference(light.start, sight.point, size);
+std::optional<Reflection> linear_reflection(const LinearLight& light, const VisibleLinearLight& seen,
+                                            const ReflectionQuery& query) {
+  if (!is_shone_at(light, query.point)) return Reflection{};
+  const int size = std::max(size_of(light.start, query.point), size_of(light.end, light.start));
+  const Vector3<Bounded> start = rounded_difference(light.start, query.point, size);
   const Vector3<Bounded> along = rounded_difference(light.end, light.start, size);
-  const Directions<Bounded> view = directions<Bounded>(sight.normal, sight.to_eye);
+  const Directions<Bounded> view = directions<Bounded>(query.normal, query.to_eye);
   const Shining<Bounded> shining(light.emission);
   Integrals<Bounded> sums;
   for (const VisibleStretch& stretch : seen.visible) {
     const Bounded from(stretch.from.share, stretch.from.error), to(stretch.to.share, stretch.to.error);
     const Stretch<Bounded> part{plus(start, times(from, along)), times(to - from, along)};
-    if (!add_stretch(sums, part, view, sight.lobe, shining)) return std::nullopt;
+    if (!add_stretch(sums, part, view, query.lobe, shining)) return std::nullopt;
   }
   if (!is_narrow(sums)) return std::nullopt;
   return reflection(sums, size);
 }
 
 Reflection linear_reflection(const LinearLight& light, std::span<const std::array<Rational, 2>> intervals,
-                             const Sight& sight) {
-  if (!is_shone_at(light, sight.point)) return {};
-  const ExactParts parts = exact_parts(light, intervals, sight);
+                             const ReflectionQuery& query) {
+  if (!is_shone_at(light, query.point)) return {};
+  const ExactParts parts = exact_parts(light, intervals, query);
   const bool shines_ahead = light.emission.exponent == 0 && !light.emission.flaps;
   if (parts.is_end_on && !parts.holds_point && !shines_ahead) return {};
   if (parts.holds_point) return {{HUGE_VAL, HUGE_VAL}, {HUGE_VAL, HUGE_VAL}};
   const auto ask = [&]<class Number>(const Number&) {
-    const Directions<Number> view = directions<Number>(sight.normal, sight.to_eye);
-    return parts.is_end_on ? end_on(parts, view, sight.lobe) : across(parts, view, sight.lobe, light.emission);
+    const Directions<Number> view = directions<Number>(query.normal, query.to_eye);
+    return parts.is_end_on ? end_on(parts, view, query.lobe) : across(parts, view, query.lobe, light.emission);
   };
   return with_rising_precision(ask, parts.size);
 }

@@ -32,7 +32,7 @@ double found_for_each_needed(FastLinearVisibility& visibility, const report::Tri
     if (!occluders) continue;
     const std::array triangle{p, tube.start, tube.end};
     for (const std::uint32_t b : *occluders)
-      needed += sight::have_common_point(blockers.content(), b, triangle) ? 1 : 0;
+      needed += viewpoint::have_common_point(blockers.content(), b, triangle) ? 1 : 0;
     found += occluders->size();
   }
   return static_cast<double>(found) / static_cast<double>(std::max<std::size_t>(needed, 1));
@@ -43,14 +43,14 @@ void linear_seen(benchmark::State& state, OccluderSearch search) {
   FastLinearVisibility visibility(tube, BlockerSet(scene.blockers), {search});
   std::size_t asked = 0;
   for (auto unused : state) {
-    const auto seen = visibility.seen_from(scene.points[asked++ % scene.points.size()]);
+    const auto seen = visibility.visible_from(scene.points[asked++ % scene.points.size()]);
     if (!seen) {
       state.SkipWithError("a point is left to the exact level");
       break;
     }
     benchmark::DoNotOptimize(seen->fraction);
   }
-  const sight::SearchCounts& counts = visibility.search_counts();
+  const viewpoint::SearchCounts& counts = visibility.search_counts();
   const auto of_question = [&](std::size_t count) { return static_cast<double>(count) / static_cast<double>(asked); };
   state.counters["candidates"] = of_question(counts.candidates);
   state.counters["visited"] = of_question(counts.visited);
@@ -82,7 +82,7 @@ double sampling_error(const report::TriangleScene& scene, SampledTube& sampled, 
   FastLinearVisibility exact(tube, BlockerSet(scene.blockers));
   double sum = 0;
   for (const Point3& p : scene.points) {
-    const double error = sampled.fraction(p, k) - exact.seen_from(p)->fraction;
+    const double error = sampled.fraction(p, k) - exact.visible_from(p)->fraction;
     sum += error * error;
   }
   return std::sqrt(sum / static_cast<double>(scene.points.size()));
@@ -106,7 +106,7 @@ void linear_set_up(benchmark::State& state, OccluderSearch search) {
   const report::TriangleScene scene = report::triangle_scene(static_cast<std::size_t>(state.range(0)));
   for (auto unused : state) {
     FastLinearVisibility visibility(tube, BlockerSet(scene.blockers), {search});
-    benchmark::DoNotOptimize(visibility.seen_from(scene.points.front()));
+    benchmark::DoNotOptimize(visibility.visible_from(scene.points.front()));
   }
 }
 

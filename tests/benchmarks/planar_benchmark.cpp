@@ -22,7 +22,6 @@ using planar::BlockerSegment;
 using planar::Flatland;
 using planar::Partition;
 using planar::PartitionLocation;
-using planar::Sight;
 
 /// Segments of a length that leaves some light between any number of them.
 Flatland random_flatland(std::int64_t n) {
@@ -46,32 +45,32 @@ std::vector<Point2> random_points() {
 }
 
 void visible_intervals(benchmark::State& state) {
-  const Sight sight(random_flatland(state.range(0)));
+  const planar::LightVisibility visibility(random_flatland(state.range(0)));
   const std::vector<Point2> points = random_points();
   std::size_t next = 0, seen = 0;
   for (auto _ : state) {
-    seen += sight.visible_light(points[next]).intervals.size();
+    seen += visibility.visible_light(points[next]).intervals.size();
     next = (next + 1) % points.size();
   }
   state.counters["intervals"] = double(seen) / double(state.iterations());
 }
 
-void region_by_sight(benchmark::State& state) {
-  const Sight sight(random_flatland(state.range(0)));
+void region_by_definition(benchmark::State& state) {
+  const planar::LightVisibility visibility(random_flatland(state.range(0)));
   const std::vector<Point2> points = random_points();
   std::size_t next = 0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(sight.region(points[next]));
+    benchmark::DoNotOptimize(visibility.region(points[next]));
     next = (next + 1) % points.size();
   }
 }
 
 void region_by_location(benchmark::State& state) {
-  const Sight sight(random_flatland(state.range(0)));
-  const PartitionLocation location(planar::partition(sight));
+  const planar::LightVisibility visibility(random_flatland(state.range(0)));
+  const PartitionLocation location(planar::partition(visibility));
   const std::vector<Point2> points = random_points();
   for (const Point2& p : points) {
-    if (location.region(p) != sight.region(p)) return state.SkipWithError("the regions differ");
+    if (location.region(p) != visibility.region(p)) return state.SkipWithError("the regions differ");
   }
   std::size_t next = 0;
   for (auto _ : state) {
@@ -81,8 +80,8 @@ void region_by_location(benchmark::State& state) {
 }
 
 void intervals_by_location(benchmark::State& state) {
-  const Sight sight(random_flatland(state.range(0)));
-  const PartitionLocation location(planar::partition(sight, {planar::Fineness::structure, {}}));
+  const planar::LightVisibility visibility(random_flatland(state.range(0)));
+  const PartitionLocation location(planar::partition(visibility, {planar::Fineness::structure, {}}));
   const std::vector<Point2> points = random_points();
   std::size_t next = 0;
   for (auto _ : state) {
@@ -92,7 +91,7 @@ void intervals_by_location(benchmark::State& state) {
 }
 
 void location_building(benchmark::State& state) {
-  const Partition parts = planar::partition(Sight(random_flatland(state.range(0))));
+  const Partition parts = planar::partition(planar::LightVisibility(random_flatland(state.range(0))));
   for (auto _ : state) benchmark::DoNotOptimize(PartitionLocation(parts));
 }
 
@@ -106,10 +105,10 @@ void ask_growth(std::int64_t n, std::size_t edges) {
 }
 
 void partition_of_plane(benchmark::State& state) {
-  const Sight sight(random_flatland(state.range(0)));
+  const planar::LightVisibility visibility(random_flatland(state.range(0)));
   std::size_t faces = 0, edges = 0;
   for (auto _ : state) {
-    const Partition parts = planar::partition(sight);
+    const Partition parts = planar::partition(visibility);
     faces = parts.faces().size(), edges = parts.edges().size();
   }
   state.counters["faces"] = double(faces);
@@ -143,7 +142,7 @@ void all_lines(benchmark::State& state) {
 }
 
 BENCHMARK(visible_intervals)->Name("planar/visible_intervals")->Arg(10)->Arg(20)->Arg(100)->Arg(1000);
-BENCHMARK(region_by_sight)->Name("planar/region_by_sight")->Arg(20)->Arg(100);
+BENCHMARK(region_by_definition)->Name("planar/region_by_sight")->Arg(20)->Arg(100);
 BENCHMARK(region_by_location)->Name("planar/region_by_location")->Arg(20)->Arg(100);
 BENCHMARK(intervals_by_location)->Name("planar/intervals_by_location")->Arg(20)->Arg(100);
 BENCHMARK(location_building)->Name("planar/location_building")->Arg(20)->Arg(100)->Unit(benchmark::kMillisecond);
@@ -166,9 +165,9 @@ BENCHMARK(all_lines)->Name("planar/all_lines")->Arg(5)->Arg(10)->Unit(benchmark:
   add_ratio({"planar/visible_intervals/1000", "planar/visible_intervals/100", 1, 0,
              "visible intervals at a point, 1,000 segments against 100"});
   add_ratio({"planar/region_by_sight/20", "planar/region_by_location/20", 1, 0,
-             "region of a point by sight in units of location in the partition, 20"});
+             "region of a point by visibility in units of location in the partition, 20"});
   add_ratio({"planar/region_by_sight/100", "planar/region_by_location/100", 1, 0,
-             "region of a point by sight in units of location in the partition, 100"});
+             "region of a point by visibility in units of location in the partition, 100"});
   return true;
 }();
 

@@ -12,20 +12,20 @@ namespace gnomon {
 namespace {
 
 /// A point of a floor, an eye above and before it, lights 10 long and 5 above: [PA90]. The argument is the exponent.
-shading::Sight sight_with(ReflectionModel model, const benchmark::State& state) {
+shading::ReflectionQuery visibility_with(ReflectionModel model, const benchmark::State& state) {
   return {{0.3, 0.2, 0}, {0, 0, 1}, shading::of_size_one({0.1, -1, 0.8}), {model, static_cast<int>(state.range(0))}};
 }
 
 void reflection_point(benchmark::State& state) {
-  const shading::Sight sight = sight_with(ReflectionModel::phong, state);
-  for (auto unused : state) benchmark::DoNotOptimize(shading::point_reflection({{0, 1, 5}}, sight));
+  const shading::ReflectionQuery query = visibility_with(ReflectionModel::phong, state);
+  for (auto unused : state) benchmark::DoNotOptimize(shading::point_reflection({{0, 1, 5}}, query));
 }
 
 void line(benchmark::State& state, ReflectionModel model) {
   const LinearLight tube{{-5, 1, 5}, {5, 1.25, 5}};
-  const shading::Sight sight = sight_with(model, state);
-  const auto seen = FastLinearVisibility(tube, BlockerSet({})).seen_from(sight.point);
-  for (auto unused : state) benchmark::DoNotOptimize(shading::linear_reflection(tube, *seen, sight));
+  const shading::ReflectionQuery query = visibility_with(model, state);
+  const auto seen = FastLinearVisibility(tube, BlockerSet({})).visible_from(query.point);
+  for (auto unused : state) benchmark::DoNotOptimize(shading::linear_reflection(tube, *seen, query));
 }
 
 void reflection_line(benchmark::State& state) {
@@ -38,10 +38,10 @@ void reflection_line_blinn(benchmark::State& state) {
 
 void lamp(benchmark::State& state, ReflectionModel model) {
   const AreaLight light{ConvexPolygon::from_points({{-5, 0, 5}, {-5, 2, 5}, {5, 2, 5}, {5, 0, 5}})};
-  const shading::Sight sight = sight_with(model, state);
+  const shading::ReflectionQuery query = visibility_with(model, state);
   FastVisibility visibility(light, BlockerSet({}));
-  const auto seen = visibility.seen_from(sight.point);
-  for (auto unused : state) benchmark::DoNotOptimize(shading::area_reflection(*seen, sight));
+  const auto seen = visibility.visible_from(query.point);
+  for (auto unused : state) benchmark::DoNotOptimize(shading::area_reflection(*seen, query));
 }
 
 void reflection_lamp(benchmark::State& state) {

@@ -69,12 +69,12 @@ void sunlight_minutes_fast(benchmark::State& state) {
   const report::TriangleScene scene = report::triangle_scene(static_cast<std::size_t>(state.range(0)));
   const std::vector<Light> lights = suns();
   const PreparedObstacles obstacles({scene.blockers, {}});
-  std::vector<LightVisibility> sights;
-  for (const Light& light : lights) sights.emplace_back(light, obstacles);
+  std::vector<LightVisibility> visibilities;
+  for (const Light& light : lights) visibilities.emplace_back(light, obstacles);
   std::size_t lit = 0, next = 0;
   for (auto unused : state) {
     const Point3& p = scene.points[next++ % scene.points.size()];
-    for (LightVisibility& sight : sights) lit += sight.at(p).region == Region::lit;
+    for (LightVisibility& visibility : visibilities) lit += visibility.at(p).region == Region::lit;
   }
   benchmark::DoNotOptimize(lit);
 }

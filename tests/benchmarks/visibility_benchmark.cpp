@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "apps/proof/report/embree_sight.h"
+#include "apps/proof/report/embree_visibility.h"
 #include "apps/proof/report/measurement.h"
 #include "apps/proof/report/triangle_scenes.h"
 #include "geometry/visibility/fast_visibility.h"
@@ -40,7 +40,7 @@ struct Looked {
 std::vector<double> irradiances(Looked& looked) {
   std::vector<double> values;
   for (const Point3& p : looked.scene.points) {
-    const std::optional<LightSeen> seen = looked.visibility.seen_from(p);
+    const std::optional<VisibleAreaLight> seen = looked.visibility.visible_from(p);
     values.push_back(seen ? lambert_irradiance(*seen, up, 1).value : 0);
   }
   return values;
@@ -52,7 +52,7 @@ void visibility_fast(benchmark::State& state) {
   std::size_t looked = 0;
   std::size_t next = 0;
   for (auto unused : state) {
-    const std::optional<LightSeen> seen = all[looked].visibility.seen_from(all[looked].scene.points[next]);
+    const std::optional<VisibleAreaLight> seen = all[looked].visibility.visible_from(all[looked].scene.points[next]);
     if (!seen) {
       state.SkipWithError("a point is left to the exact level");
       break;
@@ -67,20 +67,22 @@ void visibility_fast(benchmark::State& state) {
 /// A scene, its rays, and what they are to find.
 struct Sampled {
   explicit Sampled(report::TriangleScene drawn)
-      : looked(std::move(drawn)), expected(irradiances(looked)), sight(looked.scene.light, looked.scene.blockers) {}
+      : looked(std::move(drawn)),
+        expected(irradiances(looked)),
+        visibility(looked.scene.light, looked.scene.blockers) {}
 
   Looked looked;
   std::vector<double> expected;
-  report::EmbreeSight sight;
+  report::EmbreeVisibility visibility;
 };
 
 /// Of k * k stratified samples, at all points of the scenes together.
 report::Errors sampling_errors(std::vector<Sampled>& all, std::size_t k) {
   report::Errors errors;
   for (Sampled& one : all) {
-    one.sight.place(report::Placing::stratified, k);
+    one.visibility.place(report::Placing::stratified, k);
     for (std::size_t i = 0; i < one.expected.size(); ++i) {
-      const double found = one.sight.seen_from(one.looked.scene.points[i], up).irradiance;
+      const double found = one.visibility.visible_from(one.looked.scene.points[i], up).irradiance;
       errors.add(std::fabs(found - one.expected[i]), one.expected[i]);
     }
   }
@@ -116,11 +118,11 @@ void visibility_by_rays(benchmark::State& state, report::Rays rays, double (*err
   for (report::TriangleScene& scene : report::triangle_scenes(blockers(state))) all.emplace_back(std::move(scene));
   ErrorsOfCells found;
   const std::size_t k = cells_for(all, found, error);
-  for (Sampled& one : all) one.sight.place(report::Placing::stratified, k, rays);
+  for (Sampled& one : all) one.visibility.place(report::Placing::stratified, k, rays);
   std::size_t next = 0;
   for (auto unused : state) {
     Sampled& one = all[next % all.size()];
-    benchmark::DoNotOptimize(one.sight.seen_from(one.looked.scene.points[next % one.expected.size()], up));
+    benchmark::DoNotOptimize(one.visibility.visible_from(one.looked.scene.points[next % one.expected.size()], up));
     ++next;
   }
   state.counters["rays"] = static_cast<double>(k * k);
@@ -140,7 +142,7 @@ void visibility_embree_packets(benchmark::State& state) {
 void visibility_lambert_quad(benchmark::State& state) {
   const report::TriangleScene scene = report::triangle_scene(1);
   FastVisibility visibility(scene.light, BlockerSet({}));
-  const std::optional<LightSeen> seen = visibility.seen_from(scene.points.front());
+  const std::optional<VisibleAreaLight> seen = visibility.visible_from(scene.points.front());
   for (auto unused : state) benchmark::DoNotOptimize(lambert_irradiance(*seen, up, 1));
 }
 
@@ -154,7 +156,7 @@ void visibility_set_up(benchmark::State& state) {
     const double before = megabytes_in_use();
     const report::TriangleScene scene = report::triangle_scene(blockers(state));
     FastVisibility visibility(scene.light, BlockerSet(scene.blockers));
-    benchmark::DoNotOptimize(visibility.seen_from(scene.points.front()));
+    benchmark::DoNotOptimize(visibility.visible_from(scene.points.front()));
     held = std::max(held, megabytes_in_use() - before);
     peak = std::max(peak, peak_megabytes());
   }

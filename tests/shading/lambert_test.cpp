@@ -43,7 +43,7 @@ struct Compared {
 
 Compared compare(const AreaLight& light, const std::vector<ConvexBlocker>& blockers, const Point3& p, const Point3& n) {
   FastVisibility visibility(light, BlockerSet(blockers));
-  const std::optional<LightSeen> seen = visibility.seen_from(p);
+  const std::optional<VisibleAreaLight> seen = visibility.visible_from(p);
   if (!seen) return {};
   const test_support::SplitView split = test_support::split_view(light, blockers, p);
   const IrradianceInterval truth =
@@ -103,7 +103,7 @@ struct Room {
     std::vector<ConvexBlocker> blockers;
     for (const auto& triangle : triangles) blockers.emplace_back(polygon(triangle));
     FastVisibility visibility({polygon(light)}, BlockerSet(blockers));
-    return lambert_irradiance(visibility.seen_from(scaled(p, exponent)).value(), normal, 1);
+    return lambert_irradiance(visibility.visible_from(scaled(p, exponent)).value(), normal, 1);
   }
 };
 
@@ -141,20 +141,20 @@ TEST(Lambert, LengthsOfAnyPowerOfTwoGiveTheSameWithinTheBounds) {
 
 TEST(Lambert, AHugeLightGivesPiTimesItsRadiance) {
   FastVisibility visibility(square_light(1e9, 1), BlockerSet({}));
-  const Irradiance e = lambert_irradiance(*visibility.seen_from({0, 0, 0}), {0, 0, 3}, 2);
+  const Irradiance e = lambert_irradiance(*visibility.visible_from({0, 0, 0}), {0, 0, 3}, 2);
   EXPECT_NEAR(e.value, 2 * std::numbers::pi, 1e-8);
 }
 
 TEST(Lambert, ALightBelowTheHorizonGivesExactlyNothing) {
   FastVisibility visibility(square_light(1, 4), BlockerSet({}));
-  const Irradiance e = lambert_irradiance(*visibility.seen_from({0, 0, 0}), {0, 0, -1}, 1);
+  const Irradiance e = lambert_irradiance(*visibility.visible_from({0, 0, 0}), {0, 0, -1}, 1);
   EXPECT_EQ(e.value, 0);
   EXPECT_EQ(e.error_bound, 0);
 }
 
 TEST(Lambert, ANormalWithoutDirectionIsRefused) {
   FastVisibility visibility(square_light(1, 4), BlockerSet({}));
-  const std::optional<LightSeen> seen = visibility.seen_from({0, 0, 0});
+  const std::optional<VisibleAreaLight> seen = visibility.visible_from({0, 0, 0});
   EXPECT_THROW(lambert_irradiance(*seen, {0, 0, 0}, 1), PreconditionError);
 }
 

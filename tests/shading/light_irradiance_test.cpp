@@ -218,7 +218,7 @@ TEST(LightIrradianceRegression, AnEndMuchNearerThanTheOtherKeepsItsDigits) {
 /// In 256 bits, of what an area light shows without blockers.
 double true_irradiance(const AreaLight& light, const Point3& p, const Point3& normal) {
   std::vector<ExactView> views;
-  for (const SeenFacet& facet : exact_visible_part(light, {}, p).facets) {
+  for (const VisibleFacet& facet : exact_visible_part(light, {}, p).facets) {
     for (const ExactPolygon& polygon : facet.visible) {
       ExactView& view = views.emplace_back();
       for (const ExactVector& corner : polygon) {

@@ -15,10 +15,10 @@ namespace {
 
 using planar::BlockerSegment;
 using planar::Flatland;
-using planar::Sight;
+using planar::LightVisibility;
 
-Sight sight(const std::vector<Point2>& light, const std::vector<BlockerSegment>& blockers) {
-  return Sight(Flatland::from_points(light, blockers));
+LightVisibility visibility(const std::vector<Point2>& light, const std::vector<BlockerSegment>& blockers) {
+  return LightVisibility(Flatland::from_points(light, blockers));
 }
 
 /// The integral over the visible parts of the definition, along the light by the midpoint rule:
@@ -57,34 +57,34 @@ RC_GTEST_PROP(PlanarIrradianceAgreement, IsTheSumOverVisiblePieces, ()) {
   const laws::FlatlandCase drawn = drawn_case();
   const Point2 normal{double(*rc::gen::inRange(-3, 4)), 1.0 + *rc::gen::inRange(0, 3)};
   RC_LOG() << laws::description(drawn);
-  const BoundedIrradiance e = planar_irradiance(Sight(drawn.flatland()), {drawn.point, normal});
+  const BoundedIrradiance e = planar_irradiance(LightVisibility(drawn.flatland()), {drawn.point, normal});
   RC_ASSERT(std::fabs(e.value - summed(drawn, normal)) < 1e-4);
   RC_ASSERT(e.error < 1e-13);
 }
 
 TEST(PlanarIrradiance, KeepsItsBoundAroundAClosedForm) {
   // From (0, 0) the sines to (-3, 4) and (5, 12) are -3/5 and 5/13; only these ends count, not the light's place.
-  const BoundedIrradiance e = planar_irradiance(sight({{-3, 4}, {5, 12}}, {}), {{0, 0}, {0, 2}}, 2);
+  const BoundedIrradiance e = planar_irradiance(visibility({{-3, 4}, {5, 12}}, {}), {{0, 0}, {0, 2}}, 2);
   const Rational exact = 2 * (Rational(3, 5) + Rational(5, 13));
   EXPECT_LE(CGAL::abs(Rational(Rational(e.value) - exact)), Rational(e.error));
   EXPECT_LT(e.error, 1e-15 * 8);
 }
 
 TEST(PlanarIrradiance, IsClippedByTheHorizon) {
-  const Sight open = sight({{-4, -3}, {3, 4}}, {});
+  const LightVisibility open = visibility({{-4, -3}, {3, 4}}, {});
   const BoundedIrradiance e = planar_irradiance(open, {{0, 0}, {0, 1}});
   EXPECT_LE(std::fabs(e.value - 1.6), e.error);
   EXPECT_EQ(planar_irradiance(open, {{0, 0}, {1, -1}}).value, 0);
 }
 
 TEST(PlanarIrradianceDegenerate, OnTheLightsLineNothingArrives) {
-  EXPECT_EQ(planar_irradiance(sight({{0, 1}, {0, 2}}, {}), {{0, 0}, {0, 1}}).value, 0);
+  EXPECT_EQ(planar_irradiance(visibility({{0, 1}, {0, 2}}, {}), {{0, 0}, {0, 1}}).value, 0);
 }
 
 TEST(PlanarIrradiance, NeitherTheNormalsLengthNorTheSizeOfAllMatters) {
   for (const int size : {-1000, -520, 0, 300, 900}) {
     const auto scaled = [&](double x, double y) { return Point2{std::ldexp(x, size), std::ldexp(y, size)}; };
-    const planar::Sight light = sight({scaled(0, 0), scaled(1, 0)}, {});
+    const planar::LightVisibility light = visibility({scaled(0, 0), scaled(1, 0)}, {});
     for (const double length : {1e-300, 1e-200, 1.0, 1e200}) {
       const BoundedIrradiance e = planar_irradiance(light, {scaled(0.5, 1), {0, -length}});
       EXPECT_NEAR(e.value, 1 / std::sqrt(1.25), e.error) << size << " " << length;
@@ -94,8 +94,8 @@ TEST(PlanarIrradiance, NeitherTheNormalsLengthNorTheSizeOfAllMatters) {
 }
 
 TEST(PlanarIrradiance, NeedsALinearLightAndANormal) {
-  EXPECT_ANY_THROW(planar_irradiance(sight({{0, 1}}, {}), {{0, 0}, {0, 1}}));
-  EXPECT_ANY_THROW(planar_irradiance(sight({{0, 1}, {1, 1}}, {}), {{0, 0}, {0, 0}}));
+  EXPECT_ANY_THROW(planar_irradiance(visibility({{0, 1}}, {}), {{0, 0}, {0, 1}}));
+  EXPECT_ANY_THROW(planar_irradiance(visibility({{0, 1}, {1, 1}}, {}), {{0, 0}, {0, 0}}));
 }
 
 }  // namespace

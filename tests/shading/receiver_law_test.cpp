@@ -13,7 +13,7 @@ namespace {
 using laws::BlockerKind;
 using laws::Domain;
 using laws::LightKind;
-using laws::SightCase;
+using laws::VisibilityCase;
 
 constexpr int points_of_a_case = GNOMON_LONG ? 100 : 10;
 
@@ -32,7 +32,7 @@ Point3 double_normal_of(const ReceiverPoint& receiver) {
   return n == Point3{} ? Point3{0, 0, 1} : n;
 }
 
-std::vector<Point3> vertices_of(const SightCase& drawn) {
+std::vector<Point3> vertices_of(const VisibilityCase& drawn) {
   std::vector<Point3> points = {drawn.point};
   for (const ConvexBlocker& blocker : drawn.blockers) {
     const auto more = std::visit([](const auto& shape) { return shape.points(); }, blocker);
@@ -59,10 +59,10 @@ Point3 draw_law_point(const std::vector<Point3>& points) {
 }
 
 void check_receiver_law(Domain domain) {
-  SightCase drawn = *laws::sight_cases(domain, {{LightKind::point, LightKind::direction, LightKind::segment,
-                                                 LightKind::polygon, LightKind::rounded_polygon},
-                                                {BlockerKind::polygon, BlockerKind::solid},
-                                                3});
+  VisibilityCase drawn = *laws::visibility_cases(domain, {{LightKind::point, LightKind::direction, LightKind::segment,
+                                                           LightKind::polygon, LightKind::rounded_polygon},
+                                                          {BlockerKind::polygon, BlockerKind::solid},
+                                                          3});
   const std::vector<Point3> points = vertices_of(drawn);
   const PreparedObstacles obstacles({drawn.blockers, {}});
   LightIrradiance irradiance(drawn.light, 2, obstacles);

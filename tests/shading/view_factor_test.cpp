@@ -68,7 +68,7 @@ Irradiance view_factor(FastVisibility& visibility, const std::vector<double>& cu
       for (const Node& a : nodes) {
         for (const Node& b : nodes) {
           const Point3 p{cuts[i] + a.x * width, cuts[j] + b.x * height, 0};
-          const Irradiance e = lambert_irradiance(visibility.seen_from(p).value(), {0, 0, 1}, 1);
+          const Irradiance e = lambert_irradiance(visibility.visible_from(p).value(), {0, 0, 1}, 1);
           const double weight = a.weight * b.weight * width * height / std::numbers::pi;
           mean.value += weight * e.value;
           mean.error_bound += weight * e.error_bound;

@@ -99,7 +99,7 @@ class Screen {
 };
 
 /// What a viewer sees of a picture.
-struct Sight {
+struct ViewedPicture {
   std::vector<Triangle> opaque;
   Screen screen;
   Point3 viewer;
@@ -160,9 +160,10 @@ std::vector<PlacedLabel> placed_labels(std::span<const PictureLabel> labels, std
                                        double letter) {
   std::vector<PlacedLabel> placed;
   std::vector<LabelBox> boxes;
-  const Sight sight{opaque_triangles(items, view.position), Screen(view, size), view.position, 2e-3 * scene.size};
+  const ViewedPicture viewed{opaque_triangles(items, view.position), Screen(view, size), view.position,
+                             2e-3 * scene.size};
   for (const PictureLabel& label : labels) {
-    const std::optional<LabelBox> at = label.in_corner ? corner_place(size) : sight.place_of(label);
+    const std::optional<LabelBox> at = label.in_corner ? corner_place(size) : viewed.place_of(label);
     if (!at) continue;
     boxes.push_back(label_box(label.text, letter, at->x, at->y));
     placed.push_back({label.text, {}, at->x, at->y});

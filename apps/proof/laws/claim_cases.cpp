@@ -69,19 +69,19 @@ Points all_moved(Points points, const Move& move) {
 }
 
 void move_all(PocketCase& drawn, const Move& move) {
-  const auto& light = std::get<AreaLight>(drawn.sight.light);
+  const auto& light = std::get<AreaLight>(drawn.visibility.light);
   const Points lamp = all_moved(light_points(light), move);
-  const auto solid = std::get<ConvexSolid>(drawn.sight.blockers.front()).points();
-  drawn.sight.light = AreaLight{ConvexPolygon::from_points(lamp), light.two_sided};
-  drawn.sight.blockers = {ConvexSolid::hull_of(all_moved({solid.begin(), solid.end()}, move))};
-  drawn.sight.point = move(drawn.sight.point);
+  const auto solid = std::get<ConvexSolid>(drawn.visibility.blockers.front()).points();
+  drawn.visibility.light = AreaLight{ConvexPolygon::from_points(lamp), light.two_sided};
+  drawn.visibility.blockers = {ConvexSolid::hull_of(all_moved({solid.begin(), solid.end()}, move))};
+  drawn.visibility.point = move(drawn.visibility.point);
   drawn.other = move(drawn.other);
   for (Point3& p : drawn.plane) p = move(p);
 }
 
 }  // namespace
 
-rc::Gen<SightCase> pairs_that_share(Domain domain) {
+rc::Gen<VisibilityCase> pairs_that_share(Domain domain) {
   return rc::gen::exec([=] {
     const Points light = draw_flat_points(1);
     const std::size_t i = std::size_t(draw(0, int(light.size()) - 1));
@@ -90,12 +90,12 @@ rc::Gen<SightCase> pairs_that_share(Domain domain) {
     const Point3 l = between(light[std::size_t(draw(0, int(light.size()) - 1))], 0.25 * draw(0, 3), light[i]);
     Point3 p = moved(b, 0.125 * draw(1, 12), difference(b, l));
     if (domain == Domain::near_degenerate && once_in(2)) p = nudged(p);
-    return SightCase{
+    return VisibilityCase{
         AreaLight{ConvexPolygon::from_points(light), !once_in(4)}, {ConvexPolygon::from_points(blocker)}, p};
   });
 }
 
-rc::Gen<SightCase> cut_boards(Domain domain) {
+rc::Gen<VisibilityCase> cut_boards(Domain domain) {
   return rc::gen::exec([=] {
     const Move move = draw_move();
     const double lamp = draw(1, 4), left = draw(1, 4), right = draw(1, 4), low = draw(1, 4), high = draw(1, 4);
@@ -105,7 +105,7 @@ rc::Gen<SightCase> cut_boards(Domain domain) {
     const auto board = [&](double x0, double x1, double y1) {
       return ConvexPolygon::from_points(all_moved(rectangle(x0, x1, -high, y1, 0), move));
     };
-    return SightCase{
+    return VisibilityCase{
         AreaLight{ConvexPolygon::from_points(all_moved(rectangle(-lamp, lamp, -lamp, lamp, height), move)), true},
         {board(-left, 0, high), board(0, right, low)},
         p};
@@ -113,17 +113,18 @@ rc::Gen<SightCase> cut_boards(Domain domain) {
 }
 
 std::string description(const PocketCase& drawn) {
-  return description(drawn.sight) + "other " + description(SightCase{PointLight{drawn.other}, {}, drawn.plane[0]});
+  return description(drawn.visibility) + "other " +
+         description(VisibilityCase{PointLight{drawn.other}, {}, drawn.plane[0]});
 }
 
 Example example(const PocketCase& drawn) {
-  Example result = example(drawn.sight);
+  Example result = example(drawn.visibility);
   result.points.push_back(drawn.other);
   return result;
 }
 
 void count_regions(const PocketCase& drawn, Census& census) {
-  count_regions(drawn.sight, census);
+  count_regions(drawn.visibility, census);
 }
 
 PocketCase pyramid_case(const PyramidMeasures& measures) {

@@ -5,20 +5,20 @@
 
 #include <rapidcheck.h>
 
-#include "apps/proof/laws/sight_cases.h"
+#include "apps/proof/laws/visibility_cases.h"
 
 namespace gnomon::laws {
 
 /// An area light and a flat blocker that share a vertex or an edge, and a point near what they share, in their shadow
 /// or beside it.
-rc::Gen<SightCase> pairs_that_share(Domain domain);
+rc::Gen<VisibilityCase> pairs_that_share(Domain domain);
 
 /// An area light before a board that is cut into two rectangles, and a point behind it.
-rc::Gen<SightCase> cut_boards(Domain domain);
+rc::Gen<VisibilityCase> cut_boards(Domain domain);
 
 /// An area light above a solid, and two points with a plane between them.
 struct PocketCase {
-  SightCase sight;  ///< its point is one of the two
+  VisibilityCase visibility;  ///< its point is one of the two
   Point3 other;
   std::array<Point3, 3> plane;
 };

@@ -5,7 +5,7 @@
 #include "apps/proof/laws/event_cases.h"
 #include "apps/proof/laws/event_premise.h"
 #include "apps/proof/laws/law_entry.h"
-#include "apps/proof/laws/sight_along_path.h"
+#include "apps/proof/laws/visibility_along_path.h"
 
 namespace gnomon::laws {
 namespace {

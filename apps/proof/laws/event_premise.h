@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "apps/proof/laws/event_cases.h"
-#include "apps/proof/laws/sight_along_path.h"
+#include "apps/proof/laws/visibility_along_path.h"
 #include "gnomon/discontinuity.h"
 
 namespace gnomon::laws {

@@ -61,8 +61,9 @@ Blockers chain(int count) {
 /// A blocker and one that goes on from its end, on the other side of a place of the light if that can be.
 Blockers joint(const std::vector<Point2>& light, int count) {
   const Point2 at = draw_point2(6), l = between(light.front(), light.back(), 0.5);
-  const Point2 sight{at.x - l.x, at.y - l.y}, first = draw_point2(3), second = draw_point2(3);
-  const double turn = sight.x * first.y - sight.y * first.x, other_turn = sight.x * second.y - sight.y * second.x;
+  const Point2 visibility{at.x - l.x, at.y - l.y}, first = draw_point2(3), second = draw_point2(3);
+  const double turn = visibility.x * first.y - visibility.y * first.x,
+               other_turn = visibility.x * second.y - visibility.y * second.x;
   const double sense = turn * other_turn > 0 ? -1 : 1;
   Blockers blockers = scattered(count - 2);
   add(blockers, at, {at.x + first.x, at.y + first.y});
@@ -216,11 +217,11 @@ Example example(const FlatlandCase& drawn) {
 }
 
 void count_regions(const FlatlandCase& drawn, Census& census) {
-  const planar::Sight sight(drawn.flatland());
-  const planar::Partition partition = planar::partition(sight);
+  const planar::LightVisibility visibility(drawn.flatland());
+  const planar::Partition partition = planar::partition(visibility);
   census.add_umbrae(partition.count(Region::umbra));
   census.add_penumbrae(partition.count(Region::penumbra));
-  census.add_point(sight.visible_light(drawn.point).region);
+  census.add_point(visibility.visible_light(drawn.point).region);
 }
 
 rc::Gen<FlatlandCase> flatland_cases(Domain domain, Layout layout, int most) {

@@ -62,7 +62,7 @@ std::vector<Law> tree_laws();
 std::vector<Mutant> tree_mutants();
 
 /// The laws about many blockers in space.
-std::vector<Law> sight_laws();
+std::vector<Law> visibility_laws();
 
 /// What is said of space but is false: F1, F2, F6 and F7.
 std::vector<Law> spatial_claims();

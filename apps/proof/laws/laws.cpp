@@ -8,7 +8,7 @@ namespace gnomon::laws {
 std::vector<Law> all_laws() {
   std::vector<Law> all;
   for (const auto& family :
-       {planar_laws(), flatland_laws(), flatland_claims(), spatial_laws(), any_position_laws(), sight_laws(),
+       {planar_laws(), flatland_laws(), flatland_claims(), spatial_laws(), any_position_laws(), visibility_laws(),
         event_laws(), event_count_laws(), receiver_laws(), triple_edge_laws(), search_laws(), tree_laws(),
         spatial_claims(), reflection_laws(), reflection_claims(), design_laws(), design_claims()}) {
     all.insert(all.end(), family.begin(), family.end());

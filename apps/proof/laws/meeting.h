@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "apps/proof/laws/sight.h"
+#include "apps/proof/laws/visibility_definition.h"
 
 namespace gnomon::laws {
 

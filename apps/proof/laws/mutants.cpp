@@ -45,7 +45,8 @@ Mutant volumes(const Words& words, Keys caught_by, void (*break_them)(ShadowVolu
   return mutant;
 }
 
-Mutant sight(const Words& words, Keys caught_by, Visibility (*broken)(const Light&, const Obstacles&, const Point3&)) {
+Mutant visibility(const Words& words, Keys caught_by,
+                  Visibility (*broken)(const Light&, const Obstacles&, const Point3&)) {
   Mutant mutant{words.name, words.does, Part::visibility, {}, std::move(caught_by)};
   mutant.subject.visibility = broken;
   return mutant;
@@ -71,8 +72,8 @@ Mutant regions(const Words& words, Keys caught_by, void (*break_them)(ShadowRegi
   return mutant;
 }
 
-Mutant planar_sight(const Words& words, Keys caught_by,
-                    planar::VisibleLight (*broken)(const planar::Flatland&, const Point2&)) {
+Mutant planar_visibility(const Words& words, Keys caught_by,
+                         planar::VisibleLight (*broken)(const planar::Flatland&, const Point2&)) {
   Mutant mutant{words.name, words.does, Part::planar_visible_light, {}, std::move(caught_by)};
   mutant.subject.planar_visible_light = broken;
   return mutant;
@@ -216,26 +217,26 @@ Visibility changed(const Light& light, const Obstacles& obstacles, const Point3&
   return seen;
 }
 
-std::vector<Mutant> sight_mutants() {
+std::vector<Mutant> visibility_mutants() {
   return {
-      sight({"skip_blocker", "the last blocker forgotten"}, {"M1", "M3", "E4", "F7"},
-            [](const Light& light, const Obstacles& obstacles, const Point3& p) {
-              Obstacles fewer = obstacles;
-              fewer.blockers.pop_back();
-              return exact_visibility(light, fewer, p);
-            }),
-      sight({"umbra_for_penumbra", "penumbra called umbra"}, {"M3", "F1"},
-            [](const Light& light, const Obstacles& obstacles, const Point3& p) {
-              return changed(light, obstacles, p, Region::penumbra, Region::umbra);
-            }),
-      sight({"penumbra_for_umbra", "umbra called penumbra"}, {"M2", "M3", "F1", "F6", "F7"},
-            [](const Light& light, const Obstacles& obstacles, const Point3& p) {
-              return changed(light, obstacles, p, Region::umbra, Region::penumbra);
-            }),
-      sight({"penumbra_for_light", "lit points called penumbra"}, {"M1", "M2", "F2"},
-            [](const Light& light, const Obstacles& obstacles, const Point3& p) {
-              return changed(light, obstacles, p, Region::lit, Region::penumbra);
-            }),
+      visibility({"skip_blocker", "the last blocker forgotten"}, {"M1", "M3", "E4", "F7"},
+                 [](const Light& light, const Obstacles& obstacles, const Point3& p) {
+                   Obstacles fewer = obstacles;
+                   fewer.blockers.pop_back();
+                   return exact_visibility(light, fewer, p);
+                 }),
+      visibility({"umbra_for_penumbra", "penumbra called umbra"}, {"M3", "F1"},
+                 [](const Light& light, const Obstacles& obstacles, const Point3& p) {
+                   return changed(light, obstacles, p, Region::penumbra, Region::umbra);
+                 }),
+      visibility({"penumbra_for_umbra", "umbra called penumbra"}, {"M2", "M3", "F1", "F6", "F7"},
+                 [](const Light& light, const Obstacles& obstacles, const Point3& p) {
+                   return changed(light, obstacles, p, Region::umbra, Region::penumbra);
+                 }),
+      visibility({"penumbra_for_light", "lit points called penumbra"}, {"M1", "M2", "F2"},
+                 [](const Light& light, const Obstacles& obstacles, const Point3& p) {
+                   return changed(light, obstacles, p, Region::lit, Region::penumbra);
+                 }),
   };
 }
 
@@ -299,24 +300,24 @@ std::vector<Mutant> flatland_mutants() {
   Mutant renamed{
       "neighbour_event_point", "lines of events through another blocker's end", Part::planar_partition, {}, {"Q5"}};
   renamed.subject.planar_partition = [](const planar::Flatland& flatland) {
-    auto data = planar::partition(planar::Sight(flatland)).data();
+    auto data = planar::partition(planar::LightVisibility(flatland)).data();
     for (planar::BoundaryName& name : data.names) name.far = {planar::EventPointKind::blocker_end, 0, 0};
     return planar::Partition(std::make_shared<const planar::Partition::Data>(std::move(data)));
   };
   return {
-      planar_sight({"skip_segment", "the last segment forgotten"}, {"Q1", "Q2", "Q3", "Q4", "Q6", "F3", "F5"},
-                   [](const planar::Flatland& flatland, const Point2& p) {
-                     const auto& all = flatland.blockers();
-                     const auto some =
-                         planar::Flatland::from_points(flatland.light(), std::span(all).first(all.size() - 1));
-                     return planar::Sight(some).visible_light(p);
-                   }),
-      planar_sight({"joined_penumbrae", "penumbra called umbra"}, {"Q2", "Q3", "F3", "F4"},
-                   [](const planar::Flatland& flatland, const Point2& p) {
-                     planar::VisibleLight seen = planar::Sight(flatland).visible_light(p);
-                     if (seen.region == Region::penumbra) seen.region = Region::umbra;
-                     return seen;
-                   }),
+      planar_visibility({"skip_segment", "the last segment forgotten"}, {"Q1", "Q2", "Q3", "Q4", "Q6", "F3", "F5"},
+                        [](const planar::Flatland& flatland, const Point2& p) {
+                          const auto& all = flatland.blockers();
+                          const auto some =
+                              planar::Flatland::from_points(flatland.light(), std::span(all).first(all.size() - 1));
+                          return planar::LightVisibility(some).visible_light(p);
+                        }),
+      planar_visibility({"joined_penumbrae", "penumbra called umbra"}, {"Q2", "Q3", "F3", "F4"},
+                        [](const planar::Flatland& flatland, const Point2& p) {
+                          planar::VisibleLight seen = planar::LightVisibility(flatland).visible_light(p);
+                          if (seen.region == Region::penumbra) seen.region = Region::umbra;
+                          return seen;
+                        }),
       renamed,
   };
 }
@@ -325,9 +326,9 @@ std::vector<Mutant> flatland_mutants() {
 
 std::vector<Mutant> all_mutants() {
   std::vector<Mutant> all;
-  for (auto& family :
-       {planar_pair_mutants(), flatland_mutants(), plane_mutants(), volume_mutants(), hull_mutants(), sight_mutants(),
-        event_mutants(), reflection_mutants(), search_mutants(), tree_mutants(), design_mutants()}) {
+  for (auto& family : {planar_pair_mutants(), flatland_mutants(), plane_mutants(), volume_mutants(), hull_mutants(),
+                       visibility_mutants(), event_mutants(), reflection_mutants(), search_mutants(), tree_mutants(),
+                       design_mutants()}) {
     all.insert(all.end(), family.begin(), family.end());
   }
   return all;

@@ -64,8 +64,8 @@ Verdict check_contact(const ReceiverCase& drawn, const Subject& subject) {
   return verdict(found, "no edge of order D0 where a blocker touches the receiver");
 }
 
-std::vector<SeenPiece> structure_at(const ReceiverScene& scene, const ExactVector& p) {
-  return seen_pieces(std::get<AreaLight>(scene.drawn.light), scene.blockers, scene.path(p, {}));
+std::vector<VisiblePiece> structure_at(const ReceiverScene& scene, const ExactVector& p) {
+  return visible_pieces(std::get<AreaLight>(scene.drawn.light), scene.blockers, scene.path(p, {}));
 }
 
 const std::array<std::array<Rational, 3>, 2> triangle_shares = {
@@ -95,7 +95,7 @@ Verdict check_faces(const ReceiverCase& drawn, const Subject& subject) {
   const DividedReceiver mesh = subject.divided_receiver(drawn.light, drawn.blockers, drawn.floor);
   const std::vector<ExactVector> points = points_of_a_face(scene, mesh);
   if (points.size() < 2) return premise_fails();
-  const std::vector<SeenPiece> structure = structure_at(scene, points[0]);
+  const std::vector<VisiblePiece> structure = structure_at(scene, points[0]);
   for (std::size_t k = 1; k < points.size(); ++k) {
     if (structure_at(scene, points[k]) == structure) continue;
     // Within a triangle the way between the two stays in the face.

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "apps/proof/laws/receiver_cases.h"
-#include "apps/proof/laws/sight_along_path.h"
 #include "apps/proof/laws/subject.h"
+#include "apps/proof/laws/visibility_along_path.h"
 
 namespace gnomon::laws {
 

@@ -6,7 +6,7 @@
 #include "apps/proof/laws/draw.h"
 #include "apps/proof/laws/pair_generator.h"
 #include "apps/proof/laws/point_text.h"
-#include "apps/proof/laws/sight_cases.h"
+#include "apps/proof/laws/visibility_cases.h"
 
 namespace gnomon::laws {
 namespace {
@@ -46,7 +46,8 @@ Point3 draw_looking(const SearchCase& drawn, const std::vector<Point3>& vertices
 
 SearchCase draw_search(Domain domain) {
   const int most = once_in(6) ? 40 : 6;
-  const SightCase base = *sight_cases(domain, {{LightKind::segment}, {BlockerKind::polygon, BlockerKind::solid}, most});
+  const VisibilityCase base =
+      *visibility_cases(domain, {{LightKind::segment}, {BlockerKind::polygon, BlockerKind::solid}, most});
   SearchCase drawn{std::get<LinearLight>(base.light), base.blockers, {base.point}, draw_vector(2)};
   if (drawn.normal == Point3{}) drawn.normal = {0, 0, 1};
   const std::vector<Point3> vertices = vertices_of_all(drawn);

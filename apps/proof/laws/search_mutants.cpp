@@ -10,8 +10,8 @@
 namespace gnomon::laws {
 namespace {
 
-using sight::CylinderBox;
-using sight::CylinderPlace;
+using viewpoint::CylinderBox;
+using viewpoint::CylinderPlace;
 using Keys = std::vector<std::string>;
 
 /// What was asked of a search, and what it found.
@@ -44,7 +44,7 @@ template <class IsLost>
 FoundOccluders without(const Asked& asked, const IsLost& is_lost) {
   FoundOccluders result = found(asked);
   if (!is_about_light(asked.search)) return result;
-  const sight::LightCylinder cylinder(asked.light);
+  const viewpoint::LightCylinder cylinder(asked.light);
   const BlockerSet blockers(asked.blockers);
   const std::vector<CylinderBox> boxes = cylinder_boxes(cylinder, blockers.content());
   for (std::size_t i = 0; i < result.size(); ++i) {
@@ -57,12 +57,12 @@ FoundOccluders without(const Asked& asked, const IsLost& is_lost) {
 
 /// The point turned about the light by an angle, rounded.
 Point3 turned(const LinearLight& light, const Point3& p, double angle) {
-  const sight::Vector way = step(light.start, light.end), from = step(light.start, p);
+  const viewpoint::Vector way = step(light.start, light.end), from = step(light.start, p);
   const double length = std::sqrt(dot(way, way));
-  const sight::Vector axis = (1 / length) * way;
-  const sight::Vector along = dot(axis, from) * axis;
-  const sight::Vector across = from - along;
-  const sight::Vector to = along + std::cos(angle) * across + std::sin(angle) * cross(axis, across);
+  const viewpoint::Vector axis = (1 / length) * way;
+  const viewpoint::Vector along = dot(axis, from) * axis;
+  const viewpoint::Vector across = from - along;
+  const viewpoint::Vector to = along + std::cos(angle) * across + std::sin(angle) * cross(axis, across);
   return {light.start.x + to.x, light.start.y + to.y, light.start.z + to.z};
 }
 

@@ -8,7 +8,7 @@
 #include "apps/proof/laws/definition.h"
 #include "apps/proof/laws/enumeration.h"
 #include "apps/proof/laws/law_entry.h"
-#include "apps/proof/laws/sight.h"
+#include "apps/proof/laws/visibility_definition.h"
 
 namespace gnomon::laws {
 namespace {
@@ -20,7 +20,7 @@ struct Figure {
   Polygon light;
   Polygon blocker;
 
-  explicit Figure(const SightCase& drawn)
+  explicit Figure(const VisibilityCase& drawn)
       : light(vertices(drawn.light)), blocker(exact(std::get<ConvexPolygon>(drawn.blockers.front()).points())) {}
 
   bool is_shared(const ExactVector& p) const {
@@ -31,7 +31,7 @@ struct Figure {
   }
 };
 
-Region region_of(const SightCase& drawn, const ExactVector& p) {
+Region region_of(const VisibilityCase& drawn, const ExactVector& p) {
   if (is_unlit(drawn.light, p)) return Region::unlit;
   std::vector<Walls> all;
   for (const ConvexBlocker& blocker : drawn.blockers) all.push_back(walls(blocker));
@@ -39,7 +39,7 @@ Region region_of(const SightCase& drawn, const ExactVector& p) {
 }
 
 /// The claim is false of the case, or true; unless the subject errs about the point.
-Verdict judged(const SightCase& drawn, const Subject& subject, bool refuted, std::string_view reason) {
+Verdict judged(const VisibilityCase& drawn, const Subject& subject, bool refuted, std::string_view reason) {
   const Region found = subject.visibility(drawn.light, {drawn.blockers, {}}, drawn.point).region;
   if (found != region_of(drawn, exact(drawn.point))) return verdict(false, "the point's region differs");
   return refuted ? refutes(reason) : Verdict{};
@@ -47,7 +47,7 @@ Verdict judged(const SightCase& drawn, const Subject& subject, bool refuted, std
 
 /// True if f = 0 in a neighbourhood of p: the umbra of a flat blocker is convex, so it holds what lies between points
 /// of it.
-bool is_inside_umbra(const SightCase& drawn, const ExactVector& p) {
+bool is_inside_umbra(const VisibilityCase& drawn, const ExactVector& p) {
   if (region_of(drawn, p) != Region::umbra) return false;
   const auto all_dark = [&](const Rational& step) {
     const std::array steps{ExactVector{step, 0, 0}, ExactVector{0, step, 0}, ExactVector{0, 0, step}};
@@ -59,7 +59,7 @@ bool is_inside_umbra(const SightCase& drawn, const ExactVector& p) {
 }
 
 /// The claim that a light and a blocker that share a vertex leave no umbra.
-Verdict check_no_umbra(const SightCase& drawn, const Subject& subject) {
+Verdict check_no_umbra(const VisibilityCase& drawn, const Subject& subject) {
   const ExactVector p = exact(drawn.point);
   if (!Figure(drawn).share() || is_unlit(drawn.light, p)) return premise_fails();
   const bool refuted = is_inside_umbra(drawn, p);
@@ -94,7 +94,7 @@ bool is_inside_remaining(const Figure& figure, const ExactVector& p) {
 }
 
 /// The claim that planes of edges with a shared vertex may be left out.
-Verdict check_omitted_planes(const SightCase& drawn, const Subject& subject) {
+Verdict check_omitted_planes(const VisibilityCase& drawn, const Subject& subject) {
   const Figure figure(drawn);
   const ExactVector p = exact(drawn.point);
   const ExactPlane plane = plane_of(figure.blocker);
@@ -107,7 +107,7 @@ Verdict check_omitted_planes(const SightCase& drawn, const Subject& subject) {
 }
 
 /// The claim that all umbra of a blocker of several pieces is umbra of one of them.
-Verdict check_umbra_of_pieces(const SightCase& drawn, const Subject& subject) {
+Verdict check_umbra_of_pieces(const VisibilityCase& drawn, const Subject& subject) {
   const ExactVector p = exact(drawn.point);
   if (region_of(drawn, p) != Region::umbra) return premise_fails();
   const bool one_suffices = std::ranges::any_of(drawn.blockers, [&](const ConvexBlocker& piece) {
@@ -156,9 +156,9 @@ bool umbra_crosses_inside_only(const PocketCase& drawn) {
   const ExactVector origin = exact(drawn.plane[0]);
   const ExactVector u = Rational(1000) * (exact(drawn.plane[1]) - origin);
   const ExactVector v = Rational(1000) * (exact(drawn.plane[2]) - origin);
-  const ConvexBlocker& solid = drawn.sight.blockers.front();
+  const ConvexBlocker& solid = drawn.visibility.blockers.front();
   Polygon slice{origin - u - v, origin + u - v, origin + u + v, origin - u + v};
-  for (const ExactVector& l : vertices(drawn.sight.light)) {
+  for (const ExactVector& l : vertices(drawn.visibility.light)) {
     for (const ExactPlane& wall : shadow_walls(std::get<ConvexSolid>(solid), l)) slice = below(slice, wall);
   }
   const Walls inside = walls(solid);
@@ -167,18 +167,18 @@ bool umbra_crosses_inside_only(const PocketCase& drawn) {
 
 /// The claim that the umbra of a solid outside of it is one region.
 Verdict check_one_pocket(const PocketCase& drawn, const Subject& subject) {
-  const SightCase& sight = drawn.sight;
-  const std::array points{exact(sight.point), exact(drawn.other)};
-  const Walls inside = walls(sight.blockers.front());
+  const VisibilityCase& visibility = drawn.visibility;
+  const std::array points{exact(visibility.point), exact(drawn.other)};
+  const Walls inside = walls(visibility.blockers.front());
   const bool two_in_umbra = std::ranges::all_of(
-      points, [&](const ExactVector& p) { return !holds(inside, p) && region_of(sight, p) == Region::umbra; });
+      points, [&](const ExactVector& p) { return !holds(inside, p) && region_of(visibility, p) == Region::umbra; });
   const ExactPlane plane = plane_through(exact(drawn.plane[0]), exact(drawn.plane[1]), exact(drawn.plane[2]));
   if (!two_in_umbra || plane.side(points[0]) * plane.side(points[1]) >= 0) return premise_fails();
   const bool refuted = umbra_crosses_inside_only(drawn);
-  if (refuted && subject.shadow_volumes(sight.light, sight.blockers.front()).umbra_pockets < 2) {
+  if (refuted && subject.shadow_volumes(visibility.light, visibility.blockers.front()).umbra_pockets < 2) {
     return verdict(false, "said to have fewer than two pockets");
   }
-  return judged(sight, subject, refuted, "f = 0 at both points, and between them only inside the solid");
+  return judged(visibility, subject, refuted, "f = 0 at both points, and between them only inside the solid");
 }
 
 ConvexPolygon polygon(std::vector<Point3> points) {
@@ -189,24 +189,25 @@ ConvexPolygon polygon(std::vector<Point3> points) {
 
 std::vector<Law> spatial_claims() {
   const Light square = AreaLight{polygon({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}})};
-  const SightCase wall{square, {polygon({{0, 0, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}})}, {-0.1, 0.5, 0.05}};
-  const SightCase corner{square, {polygon({{0, 0, 0}, {0, 1, 1}, {0, -1, 1}})}, {-1, 1, 0.5}};
-  const SightCase board{AreaLight{polygon({{-1, -1, 4}, {-1, 1, 4}, {1, 1, 4}, {1, -1, 4}})},
-                        {polygon({{-3, -3, 2}, {-3, 3, 2}, {0, 3, 2}, {0, -3, 2}}),
-                         polygon({{0, -3, 2}, {0, 1, 2}, {3, 1, 2}, {3, -3, 2}})},
-                        {0, 0, 1}};
+  const VisibilityCase wall{square, {polygon({{0, 0, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}})}, {-0.1, 0.5, 0.05}};
+  const VisibilityCase corner{square, {polygon({{0, 0, 0}, {0, 1, 1}, {0, -1, 1}})}, {-1, 1, 0.5}};
+  const VisibilityCase board{AreaLight{polygon({{-1, -1, 4}, {-1, 1, 4}, {1, 1, 4}, {1, -1, 4}})},
+                             {polygon({{-3, -3, 2}, {-3, 3, 2}, {0, 3, 2}, {0, -3, 2}}),
+                              polygon({{0, -3, 2}, {0, 1, 2}, {3, 1, 2}, {3, -3, 2}})},
+                             {0, 0, 1}};
   return {
-      refuted_claim<SightCase>(
+      refuted_claim<VisibilityCase>(
           {"F1", "[CF91] 4.2.3", "If the light and the blocker share an edge or a vertex, there is no umbra."}, {wall},
           pairs_that_share, check_no_umbra),
-      refuted_claim<SightCase>({"F2", "[CF91] 4.2.2",
-                                "If the light and the blocker share vertices, the planes of edges with a shared vertex "
-                                "may be left out: the others bound the occlusion volume."},
-                               {corner}, pairs_that_share, check_omitted_planes),
+      refuted_claim<VisibilityCase>(
+          {"F2", "[CF91] 4.2.2",
+           "If the light and the blocker share vertices, the planes of edges with a shared vertex "
+           "may be left out: the others bound the occlusion volume."},
+          {corner}, pairs_that_share, check_omitted_planes),
       refuted_claim<PocketCase>({"F6", "[P93] 4.2.2.1 read for solids",
                                  "One light and one convex blocker have at most one umbra, also outside a solid."},
                                 {pyramid_case({})}, pyramid_cases, check_one_pocket),
-      refuted_claim<SightCase>(
+      refuted_claim<VisibilityCase>(
           {"F7", "[P93] 5.2.3 read for umbrae",
            "The umbra of a blocker of several convex pieces is the union of the umbrae of the pieces."},
           {board}, cut_boards, check_umbra_of_pieces),

@@ -65,9 +65,11 @@ struct Subject {
   std::function<Visibility(const Light&, const Obstacles&, const Point3&)> visibility = gnomon::exact_visibility;
   std::function<Region(const planar::Pair&, const Point2&)> planar_region_of = planar::region_of;
   std::function<planar::VisibleLight(const planar::Flatland&, const Point2&)> planar_visible_light =
-      [](const planar::Flatland& flatland, const Point2& p) { return planar::Sight(flatland).visible_light(p); };
+      [](const planar::Flatland& flatland, const Point2& p) {
+        return planar::LightVisibility(flatland).visible_light(p);
+      };
   std::function<planar::Partition(const planar::Flatland&)> planar_partition = [](const planar::Flatland& flatland) {
-    return planar::partition(planar::Sight(flatland));
+    return planar::partition(planar::LightVisibility(flatland));
   };
   std::function<std::vector<DiscontinuitySurface>(const Light&, const std::vector<ConvexBlocker>&,
                                                   const std::vector<ConvexPolygon>&, const Box3&)>

@@ -4,20 +4,20 @@
 #include "apps/proof/laws/law_entry.h"
 #include "apps/proof/laws/law_lists.h"
 #include "apps/proof/laws/pair_generator.h"
-#include "apps/proof/laws/sight.h"
-#include "apps/proof/laws/sight_cases.h"
+#include "apps/proof/laws/visibility_cases.h"
+#include "apps/proof/laws/visibility_definition.h"
 
 namespace gnomon::laws {
 namespace {
 
 /// A small light, blockers, and points: that of the case, and others near vertices, behind them, anywhere.
 struct TreeCase {
-  SightCase sight;
+  VisibilityCase visibility;
   std::vector<Point3> points;
 };
 
 std::string description(const TreeCase& drawn) {
-  SightCase told = drawn.sight;
+  VisibilityCase told = drawn.visibility;
   std::string text;
   for (const Point3& p : drawn.points) {
     told.point = p;
@@ -28,14 +28,14 @@ std::string description(const TreeCase& drawn) {
 
 TreeCase draw_tree_case(Domain domain) {
   const int most = once_in(4) ? 12 : 4;
-  TreeCase drawn{*sight_cases(domain, {{LightKind::point, LightKind::direction},
-                                       {BlockerKind::polygon, BlockerKind::polygon, BlockerKind::solid},
-                                       most}),
+  TreeCase drawn{*visibility_cases(domain, {{LightKind::point, LightKind::direction},
+                                            {BlockerKind::polygon, BlockerKind::polygon, BlockerKind::solid},
+                                            most}),
                  {}};
-  drawn.points.push_back(drawn.sight.point);
+  drawn.points.push_back(drawn.visibility.point);
   for (int i = 0; i < 6; ++i) {
     const Point3 p = draw_vector(9);
-    const Point3& q = drawn.sight.point;
+    const Point3& q = drawn.visibility.point;
     const double third = 1.0 / 3;
     drawn.points.push_back(once_in(2) ? p : Point3{q.x + third * p.x, q.y + third * p.y, q.z + third * p.z});
   }
@@ -47,14 +47,14 @@ rc::Gen<TreeCase> tree_cases(Domain domain) {
 }
 
 Verdict check_tree(const TreeCase& drawn, const Subject& subject) {
-  const auto found = subject.tree_regions(drawn.sight.light, drawn.sight.blockers, drawn.points);
+  const auto found = subject.tree_regions(drawn.visibility.light, drawn.visibility.blockers, drawn.points);
   std::vector<Walls> blockers;
-  for (const ConvexBlocker& blocker : drawn.sight.blockers) blockers.push_back(walls(blocker));
+  for (const ConvexBlocker& blocker : drawn.visibility.blockers) blockers.push_back(walls(blocker));
   bool is_any_decided = false;
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (!found[i]) continue;
     is_any_decided = true;
-    if (*found[i] != region_behind(blockers, drawn.sight.light, laws::exact(drawn.points[i]))) {
+    if (*found[i] != region_behind(blockers, drawn.visibility.light, laws::exact(drawn.points[i]))) {
       return verdict(false, "point " + std::to_string(i) + ": another region");
     }
   }

@@ -5,8 +5,8 @@
 #include <span>
 
 #include "apps/proof/report/divided_blockers.h"
-#include "apps/proof/report/embree_sight.h"
-#include "apps/proof/report/plain_sight.h"
+#include "apps/proof/report/embree_visibility.h"
+#include "apps/proof/report/plain_visibility.h"
 #include "apps/proof/report/truth.h"
 #include "geometry/parallel.h"
 #include "gnomon/irradiance.h"
@@ -62,15 +62,15 @@ HardCaseResult hard_case_trial(const HardCase& hard, Effort effort) {
   const std::vector<Point3> points = points_around(hard, effort == Effort::quick ? 200 : 10000);
   const std::vector<Visibility> truths = true_answers(hard, points);
   LightVisibility gnomon(hard.light, obstacles);
-  PlainSight plain(hard.light, hard.blockers);
-  EmbreeSight embree(hard.light, hard.blockers);
+  PlainVisibility plain(hard.light, hard.blockers);
+  EmbreeVisibility embree(hard.light, hard.blockers);
   embree.place(Placing::regular, rays_along_side);
   result.points = points.size();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Region region = truths[i].region;
     ++result.regions[static_cast<std::size_t>(region)];
-    result.wrong_doubles += plain.seen_from(points[i], hard.normal).region != region ? 1 : 0;
-    result.wrong_embree += embree.seen_from(points[i], hard.normal).region != region ? 1 : 0;
+    result.wrong_doubles += plain.visible_from(points[i], hard.normal).region != region ? 1 : 0;
+    result.wrong_embree += embree.visible_from(points[i], hard.normal).region != region ? 1 : 0;
     judge_gnomon(result, gnomon.at(points[i]), truths[i]);
   }
   result.exact_answers = gnomon.exact_answers();

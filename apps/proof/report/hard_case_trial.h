@@ -5,8 +5,8 @@
 #include <string>
 
 #include "apps/proof/report/hard_cases.h"
-#include "apps/proof/report/sight_tasks.h"
 #include "apps/proof/report/stopwatch.h"
+#include "apps/proof/report/visibility_tasks.h"
 #include "gnomon/irradiance.h"
 #include "gnomon/visibility.h"
 

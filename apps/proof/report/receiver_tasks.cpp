@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "apps/proof/report/draws.h"
-#include "apps/proof/report/embree_sight.h"
+#include "apps/proof/report/embree_visibility.h"
 #include "apps/proof/report/shapes.h"
 #include "gnomon/receiver_mesh.h"
 #include "gnomon/visibility.h"
@@ -82,14 +82,14 @@ std::vector<Measurement> receiver_measurements(std::size_t boards, Effort effort
       measured("exact_mesh", boards, 0, truth, effort, [&] { return shares_of_mesh(scene).shares; })};
   all.front().errors.bound = unresolved;
   LightVisibility gnomon(scene.light, PreparedObstacles({scene.blockers, {}}));
-  EmbreeSight embree(scene.light, scene.blockers);
+  EmbreeVisibility embree(scene.light, scene.blockers);
   embree.place(Placing::regular, 4);
   for (std::uint32_t k = 16; k <= (effort == Effort::quick ? 64U : 512U); k *= 2) {
     const auto by_gnomon = [&] {
       return shares_of_raster(scene, k, [&](const Point3& p) { return gnomon.at(p).region; });
     };
     const auto by_embree = [&] {
-      return shares_of_raster(scene, k, [&](const Point3& p) { return embree.seen_from(p, {0, 0, 1}).region; });
+      return shares_of_raster(scene, k, [&](const Point3& p) { return embree.visible_from(p, {0, 0, 1}).region; });
     };
     all.push_back(measured("gnomon_raster", boards, std::size_t{k} * k, truth, effort, by_gnomon));
     all.push_back(measured("embree_raster", boards, std::size_t{k} * k, truth, effort, by_embree));

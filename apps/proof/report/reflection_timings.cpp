@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t repetitions = 64;
 
 /// A point of a floor, and an eye above and before it, as in [PA90].
-shading::Sight floor_sight(ReflectionModel model, int exponent) {
+shading::ReflectionQuery floor_query(ReflectionModel model, int exponent) {
   return {{0.3, 0.2, 0}, {0, 0, 1}, shading::of_size_one({0.1, -1, 0.8}), {model, exponent}};
 }
 
@@ -44,38 +44,38 @@ struct Clock {
 
 void time_points(const Clock& clock) {
   const PointLight bulb{{0, 1, 5}};
-  const Point3 p = floor_sight(ReflectionModel::phong, 1).point;
+  const Point3 p = floor_query(ReflectionModel::phong, 1).point;
   clock.time("point_diffuse", 1, [&] { point_irradiance(bulb, p, {0, 0, 1}); });
   for (const int n : {1, 10, 50, 200, 10000}) {
-    const shading::Sight sight = floor_sight(ReflectionModel::phong, n);
-    clock.time("point_phong", n, [&] { shading::point_reflection(bulb, sight); });
+    const shading::ReflectionQuery query = floor_query(ReflectionModel::phong, n);
+    clock.time("point_phong", n, [&] { shading::point_reflection(bulb, query); });
   }
 }
 
 void time_lines(const Clock& clock) {
   const LinearLight tube = long_tube();
-  const Point3 p = floor_sight(ReflectionModel::phong, 1).point;
-  const auto seen = FastLinearVisibility(tube, BlockerSet({})).seen_from(p);
+  const Point3 p = floor_query(ReflectionModel::phong, 1).point;
+  const auto seen = FastLinearVisibility(tube, BlockerSet({})).visible_from(p);
   if (!seen) return;
   clock.time("line_diffuse", 1, [&] { linear_irradiance(tube, *seen, p, {0, 0, 1}); });
   for (const int n : {10, 50, 200, 10000}) {
-    const shading::Sight sight = floor_sight(ReflectionModel::phong, n);
-    clock.time("line_phong", n, [&] { shading::linear_reflection(tube, *seen, sight); });
+    const shading::ReflectionQuery query = floor_query(ReflectionModel::phong, n);
+    clock.time("line_phong", n, [&] { shading::linear_reflection(tube, *seen, query); });
   }
-  const shading::Sight blinn = floor_sight(ReflectionModel::blinn, 50);
+  const shading::ReflectionQuery blinn = floor_query(ReflectionModel::blinn, 50);
   clock.time("line_blinn", 50, [&] { shading::linear_reflection(tube, *seen, blinn); });
 }
 
 void time_lamps(const Clock& clock) {
   FastVisibility visibility(long_lamp(), BlockerSet({}));
-  const auto seen = visibility.seen_from(floor_sight(ReflectionModel::phong, 1).point);
+  const auto seen = visibility.visible_from(floor_query(ReflectionModel::phong, 1).point);
   if (!seen) return;
   clock.time("lamp_lambert", 1, [&] { lambert_irradiance(*seen, {0, 0, 1}, 1); });
   for (const int n : {1, 50, 200}) {
-    const shading::Sight sight = floor_sight(ReflectionModel::phong, n);
-    clock.time("lamp_phong", n, [&] { shading::area_reflection(*seen, sight); });
+    const shading::ReflectionQuery query = floor_query(ReflectionModel::phong, n);
+    clock.time("lamp_phong", n, [&] { shading::area_reflection(*seen, query); });
   }
-  const shading::Sight blinn = floor_sight(ReflectionModel::blinn, 50);
+  const shading::ReflectionQuery blinn = floor_query(ReflectionModel::blinn, 50);
   clock.time("lamp_blinn", 50, [&] { shading::area_reflection(*seen, blinn); });
 }
 

@@ -10,9 +10,9 @@
 #include "apps/proof/report/rotation.h"
 #include "apps/proof/report/search_tables.h"
 #include "apps/proof/report/shadow_bsp.h"
-#include "apps/proof/report/sight_tasks.h"
 #include "apps/proof/report/table_one.h"
 #include "apps/proof/report/timings.h"
+#include "apps/proof/report/visibility_tasks.h"
 
 namespace gnomon::report {
 

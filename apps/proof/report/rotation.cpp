@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "apps/proof/report/draws.h"
-#include "apps/proof/report/embree_sight.h"
+#include "apps/proof/report/embree_visibility.h"
 #include "apps/proof/report/measurement.h"
 #include "apps/proof/report/shapes.h"
 #include "apps/proof/report/triangle_scenes.h"
@@ -79,13 +79,13 @@ struct Answers {
 Answers answers(const Scene& scene) {
   const Obstacles obstacles{scene.blockers, {}};
   LightVisibility gnomon(scene.light, PreparedObstacles(obstacles));
-  EmbreeSight embree(scene.light, scene.blockers);
+  EmbreeVisibility embree(scene.light, scene.blockers);
   embree.place(Placing::regular, 16);
   Answers result;
   for (const Point3& p : scene.points) {
     result.exact.push_back(exact_visibility(scene.light, obstacles, p));
     result.gnomon.push_back(gnomon.at(p));
-    result.embree.push_back(embree.seen_from(p, {0, 0, 1}).fraction);
+    result.embree.push_back(embree.visible_from(p, {0, 0, 1}).fraction);
   }
   return result;
 }

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "apps/proof/report/sight_tasks.h"
+#include "apps/proof/report/visibility_tasks.h"
 
 namespace gnomon::report {
 

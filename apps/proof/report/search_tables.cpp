@@ -36,20 +36,20 @@ double needed_occluders(const PaperScene& scene, const BlockerSet& blockers) {
     if (!found) continue;
     const std::array triangle{p, scene.light.start, scene.light.end};
     count += static_cast<std::size_t>(std::ranges::count_if(
-        *found, [&](std::uint32_t b) { return sight::have_common_point(blockers.content(), b, triangle); }));
+        *found, [&](std::uint32_t b) { return viewpoint::have_common_point(blockers.content(), b, triangle); }));
   }
   return static_cast<double>(count) / static_cast<double>(scene.points.size());
 }
 
 SearchRow search_row(const PaperScene& scene, const BlockerSet& blockers, const LinearSearch& search, Effort effort) {
-  const auto index = std::make_shared<const sight::OccluderIndex>(scene.light, blockers, search);
+  const auto index = std::make_shared<const viewpoint::OccluderIndex>(scene.light, blockers, search);
   SearchRow row{scene.name, search, blockers.size(), index->references()};
   const auto ask_all = [&] {
     FastLinearVisibility visibility(scene.light, index);
-    for (const Point3& p : scene.points) visibility.seen_from(p);
+    for (const Point3& p : scene.points) visibility.visible_from(p);
     return visibility.search_counts();
   };
-  const sight::SearchCounts counts = ask_all();
+  const viewpoint::SearchCounts counts = ask_all();
   const auto questions = static_cast<double>(scene.points.size());
   row.candidates = static_cast<double>(counts.candidates) / questions;
   row.visited = static_cast<double>(counts.visited) / questions;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/proof/report/sight_tasks.h"
+#include "apps/proof/report/visibility_tasks.h"
 #include "gnomon/point.h"
 #include "gnomon/shadow_mesh.h"
 

@@ -97,7 +97,7 @@ Timings mesh_parts(Effort effort) {
 Timings lambert_quad(Effort effort) {
   const TriangleScene scene = triangle_scene(1);
   FastVisibility visibility(scene.light, BlockerSet({}));
-  const std::optional<LightSeen> seen = visibility.seen_from(scene.points.front());
+  const std::optional<VisibleAreaLight> seen = visibility.visible_from(scene.points.front());
   if (!seen) return {};
   return {timed_short("lambert_quad", 1, effort, [&] { lambert_irradiance(*seen, {0, 0, 1}, 1); })};
 }
@@ -126,7 +126,7 @@ Timings set_up() {
   return {once("set_up", triangles, [] {
     const TriangleScene scene = triangle_scene(triangles, 1);
     FastVisibility visibility(scene.light, BlockerSet(scene.blockers));
-    return visibility.seen_from(scene.points.front()) ? 0U : 1U;
+    return visibility.visible_from(scene.points.front()) ? 0U : 1U;
   })};
 }
 

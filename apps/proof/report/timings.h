@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "apps/proof/report/sight_tasks.h"
 #include "apps/proof/report/stopwatch.h"
+#include "apps/proof/report/visibility_tasks.h"
 
 namespace gnomon::report {
 

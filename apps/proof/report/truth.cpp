@@ -14,7 +14,7 @@ namespace {
 /// The visible pieces of facets that show their face, relative to the point.
 std::vector<ExactView> views(const VisiblePart& part, bool two_sided, const ExactVector& p) {
   std::vector<ExactView> result;
-  for (const SeenFacet& seen : part.facets) {
+  for (const VisibleFacet& seen : part.facets) {
     const Rational above = plane_through(seen.facet[0], seen.facet[1], seen.facet[2]).height(p);
     if (above == 0 || (above < 0 && !two_sided)) continue;
     for (const ExactPolygon& polygon : seen.visible) {
@@ -51,8 +51,8 @@ bool TrueValue::is_within(double value, double bound) const {
   return value - bound <= high && low <= value + bound;
 }
 
-SightTruth sight_truth(const AreaLight& light, const Obstacles& obstacles, const Point3& p, const Point3& normal,
-                       int bits) {
+VisibilityTruth visibility_truth(const AreaLight& light, const Obstacles& obstacles, const Point3& p,
+                                 const Point3& normal, int bits) {
   const VisiblePart part = exact_visible_part(light, obstacles, p);
   return {part.region, fraction_of(part), irradiance_of(part, light, p, normal, bits)};
 }

@@ -19,7 +19,7 @@ struct TrueValue {
 };
 
 /// What is true of a point before an area light.
-struct SightTruth {
+struct VisibilityTruth {
   Region region = Region::lit;
   TrueValue fraction;
   TrueValue irradiance;  ///< of radiance 1
@@ -28,8 +28,8 @@ struct SightTruth {
 /// The truth: the visible part in rational numbers, and the sum over its edges in intervals of that many bits.
 ///
 /// Exactness: the intervals are rounded outwards to doubles.
-SightTruth sight_truth(const AreaLight& light, const Obstacles& obstacles, const Point3& p, const Point3& normal,
-                       int bits);
+VisibilityTruth visibility_truth(const AreaLight& light, const Obstacles& obstacles, const Point3& p,
+                                 const Point3& normal, int bits);
 
 /// The irradiance alone.
 TrueValue true_irradiance(const AreaLight& light, const Obstacles& obstacles, const Point3& p, const Point3& normal,

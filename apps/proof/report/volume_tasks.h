@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "apps/proof/report/sight_tasks.h"
+#include "apps/proof/report/visibility_tasks.h"
 
 namespace gnomon::report {
 

@@ -2,7 +2,7 @@
 
 #include "geometry/visibility/blocker_content.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 
 std::vector<CylinderBox> cylinder_boxes(const LightCylinder& cylinder, const BlockerSet::Content& blockers) {
   std::vector<CylinderBox> boxes;
@@ -22,4 +22,4 @@ std::vector<CylinderBox> cylinder_boxes(const LightCylinder& cylinder, const Blo
   return boxes;
 }
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

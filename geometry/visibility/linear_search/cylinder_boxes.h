@@ -7,9 +7,9 @@
 #include "geometry/visibility/blocker_set.h"
 #include "geometry/visibility/linear_search/light_cylinder.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 
 /// The box about the light of every blocker.
 std::vector<CylinderBox> cylinder_boxes(const LightCylinder& cylinder, const BlockerSet::Content& blockers);
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

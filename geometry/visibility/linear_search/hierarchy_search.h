@@ -4,7 +4,7 @@
 
 #include "geometry/visibility/linear_search/light_triangle.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 
 /// Searches the hierarchy of boxes that the blockers have anyhow.
 class HierarchySearch {
@@ -21,4 +21,4 @@ class HierarchySearch {
   BlockerSet blockers_;
 };
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

@@ -7,7 +7,7 @@
 
 #include "geometry/visibility/linear_search/cylinder_boxes.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 namespace {
 
 /// Exceeds what the arc tangent below may round.
@@ -87,4 +87,4 @@ void LightBuffer::find_candidates(const LightTriangle& triangle, std::vector<std
   }
 }
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

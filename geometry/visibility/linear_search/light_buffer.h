@@ -5,7 +5,7 @@
 #include "geometry/visibility/linear_search/light_cylinder.h"
 #include "geometry/visibility/linear_search/light_triangle.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 
 /// An endless cylinder about the light, in sections like those of an orange, each with lists of the blockers that may
 /// reach it left of the light, beside it and right of it, by distance.
@@ -42,4 +42,4 @@ class LightBuffer {
   std::vector<Member> members_;
 };
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

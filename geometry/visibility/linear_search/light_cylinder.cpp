@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 namespace {
 
 Vector of_length_one(const Vector& v) {
@@ -106,4 +106,4 @@ CylinderBox LightCylinder::box_of(std::span<const Point3> points, std::span<cons
   return box;
 }
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <span>
 
-#include "geometry/visibility/sightline.h"
+#include "geometry/visibility/viewpoint_rays.h"
 #include "gnomon/light.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 
 /// A point about a light: how far round, how far from the light's line, how far along it from the light's start.
 ///
@@ -72,4 +72,4 @@ class LightCylinder {
   double length_ = 0;
 };
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

@@ -6,7 +6,7 @@
 
 #include "geometry/visibility/linear_search/cylinder_boxes.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 namespace {
 
 /// The triangle in cylindrical coordinates: where it may be for every exact triangle that is rounded to it.
@@ -85,4 +85,4 @@ void LightHierarchy::find_candidates(const LightTriangle& triangle, std::vector<
   for (std::uint32_t& box : found) box = owners_[box];
 }
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

@@ -6,7 +6,7 @@
 #include "geometry/visibility/linear_search/light_cylinder.h"
 #include "geometry/visibility/linear_search/light_triangle.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 
 /// A hierarchy of boxes in cylindrical coordinates about the light.
 ///
@@ -32,4 +32,4 @@ class LightHierarchy {
   BoxHierarchy boxes_;                 ///< x: scaled turn, y: distance, z: along
 };
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

@@ -10,7 +10,7 @@
 
 #include "geometry/visibility/blocker_content.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 
 /// The triangle between a point and a linear light.
 struct LightTriangle {
@@ -37,4 +37,4 @@ concept LinearLightOccluders = requires(const Search& search, const LightTriangl
   { search.references() } -> std::same_as<std::size_t>;
 };
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

@@ -5,7 +5,7 @@
 
 #include "gnomon/errors.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 namespace {
 
 static_assert(LinearLightOccluders<HierarchySearch> && LinearLightOccluders<PlaneSearch> &&
@@ -50,4 +50,4 @@ std::size_t OccluderIndex::references() const {
   return std::visit([](const auto& search) { return search.references(); }, search_);
 }
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

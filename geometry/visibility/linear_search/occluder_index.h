@@ -11,7 +11,7 @@
 #include "geometry/visibility/linear_search/voxel_grid.h"
 #include "gnomon/visibility.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 
 /// Blockers made ready for being searched for those that may hide one linear light. Any number of threads may read it.
 class OccluderIndex {
@@ -33,4 +33,4 @@ class OccluderIndex {
   Search search_;
 };
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

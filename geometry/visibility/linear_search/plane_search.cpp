@@ -1,6 +1,6 @@
 #include "geometry/visibility/linear_search/plane_search.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 namespace {
 
 bool may_cut(const Plane& plane, const Point3& apex, std::span<const Point3> points) {
@@ -27,4 +27,4 @@ void PlaneSearch::find_candidates(const LightTriangle& triangle, std::vector<std
   counts.tested += blockers.shapes.size();
 }
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

@@ -4,7 +4,7 @@
 
 #include "geometry/visibility/linear_search/light_triangle.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 
 /// Holds every blocker against the triangle's plane, and keeps those that it may cut.
 /// After: [P93] §4.3.1, where each primitive is asked.
@@ -21,4 +21,4 @@ class PlaneSearch {
   BlockerSet blockers_;
 };
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

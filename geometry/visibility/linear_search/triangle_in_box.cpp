@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "geometry/bodies/boxes.h"
-#include "geometry/visibility/sightline.h"
+#include "geometry/visibility/viewpoint_rays.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 namespace {
 
 /// A triangle and a box, seen from a corner of the triangle.
@@ -51,4 +51,4 @@ bool may_meet(std::span<const Point3> polygon, const Box3& box) {
   return false;
 }
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

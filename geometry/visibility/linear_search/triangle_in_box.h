@@ -7,7 +7,7 @@
 
 #include "gnomon/point.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 
 /// False only if the triangle has no point in the box.
 ///
@@ -20,4 +20,4 @@ bool may_meet(const std::array<Point3, 3>& triangle, const Box3& box);
 /// The same for a convex polygon, as triangles from its first corner.
 bool may_meet(std::span<const Point3> polygon, const Box3& box);
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

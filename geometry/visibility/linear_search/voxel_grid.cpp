@@ -6,7 +6,7 @@
 #include "geometry/bodies/boxes.h"
 #include "geometry/visibility/linear_search/triangle_in_box.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 namespace {
 
 /// Exceeds, for a number of this size, what adding steps to the lower end may round.
@@ -105,4 +105,4 @@ void VoxelGrid::find_candidates(const LightTriangle& triangle, std::vector<std::
   }
 }
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

@@ -4,7 +4,7 @@
 
 #include "geometry/visibility/linear_search/light_triangle.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 
 /// The box around all blockers in n x n x n voxels, each with a list of the blockers that may meet it; the triangle is
 /// scan-converted, column by column.
@@ -38,4 +38,4 @@ class VoxelGrid {
   std::vector<std::uint32_t> members_;  ///< blockers, voxel by voxel
 };
 
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

@@ -188,8 +188,8 @@ TEST(EventOrder, OfAPointLightIsZero) {
 /// The edges that bound what a point sees, with multiplicity.
 using Structure = std::multiset<std::pair<std::int64_t, std::uint32_t>>;
 
-std::optional<Structure> structure_at(FastVisibility& sight, const Point3& p) {
-  const auto seen = sight.seen_from(p);
+std::optional<Structure> structure_at(FastVisibility& visibility, const Point3& p) {
+  const auto seen = visibility.visible_from(p);
   if (!seen) return std::nullopt;
   Structure structure;
   for (const BoundaryPiece& piece : seen->boundary) {
@@ -204,7 +204,7 @@ std::size_t expect_constant_structure(const AreaLight& light, const Blockers& bl
   const CGAL::Protect_FPU_rounding<true> upward;
   const event::EventScene scene(light, blockers, std::vector{events_ground});
   const CGAL::Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
-  FastVisibility sight(light, BlockerSet(blockers));
+  FastVisibility visibility(light, BlockerSet(blockers));
   const std::vector<Point3> points = mesh.vertices();
   std::vector<std::uint32_t> shapes(blockers.size());
   for (std::uint32_t s = 0; s < shapes.size(); ++s) shapes[s] = s;
@@ -230,7 +230,7 @@ std::size_t expect_constant_structure(const AreaLight& light, const Blockers& bl
         is_crossed[t.face] = event::may_have_triple_edges(scene, shapes, hull);
       }
       if (is_crossed[t.face]) continue;
-      const auto structure = structure_at(sight, p);
+      const auto structure = structure_at(visibility, p);
       if (!structure) continue;
       const auto [known, is_new] = of_face.try_emplace(t.face, *structure);
       EXPECT_EQ(known->second, *structure) << p.x << " " << p.y;

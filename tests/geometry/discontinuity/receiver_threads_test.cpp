@@ -6,7 +6,7 @@
 
 #include "geometry/discontinuity/event_scene.h"
 #include "geometry/discontinuity/receiver_mesh_data.h"
-#include "geometry/discontinuity/receiver_sight.h"
+#include "geometry/discontinuity/receiver_visibility.h"
 #include "tests/geometry/discontinuity/mesh_cases.h"
 
 namespace gnomon {
@@ -54,11 +54,11 @@ TEST(VisibleFractionsAgreement, AreThoseOfRationalClipping) {
       const CGAL::Protect_FPU_rounding<true> upward;
       return event::EventScene(drawn.light, drawn.blockers, drawn.receivers);
     }();
-    event::ReceiverSight sight(scene, drawn.light, drawn.blockers, 0, mesh.data().plane);
+    event::ReceiverVisibility visibility(scene, drawn.light, drawn.blockers, 0, mesh.data().plane);
     const std::vector<double> fractions = division.visible_fractions(0, mesh);
     for (std::uint32_t v = 0; v < mesh.vertex_count(); v += 7) {
       const ExactVector p = mesh.data().plane.spatial(mesh.data().point(v));
-      EXPECT_EQ(fractions[v], visible_fraction(sight.visible_from(p)).nearest);
+      EXPECT_EQ(fractions[v], visible_fraction(visibility.visible_from(p)).nearest);
     }
   }
 }

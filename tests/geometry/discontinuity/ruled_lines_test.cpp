@@ -50,7 +50,7 @@ TEST(RuledLinesAgreement, CertainSignsAreThoseOfEveryPointOfTheRange) {
 class RuledLinesOfEdges : public testing::Test {
  protected:
   void draw() {
-    for (Outline& edge : edges_) {
+    for (SilhouetteEdge& edge : edges_) {
       edge.a = Place(vector(1));
       edge.b = Place(vector(1));
       edge.line = near_line(edge.a.near, edge.b.near);
@@ -67,7 +67,7 @@ class RuledLinesOfEdges : public testing::Test {
     return dot(cross(a - p, b - p), c - p);
   }
 
-  static ExactVector on(const Outline& edge, const Rational& t) {
+  static ExactVector on(const SilhouetteEdge& edge, const Rational& t) {
     return edge.a.exact + t * (edge.b.exact - edge.a.exact);
   }
 
@@ -77,7 +77,7 @@ class RuledLinesOfEdges : public testing::Test {
   }
 
   std::mt19937 random_{2};
-  std::array<Outline, 3> edges_;
+  std::array<SilhouetteEdge, 3> edges_;
 };
 
 TEST_F(RuledLinesOfEdges, HoldTheExactSidesAndHeights) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/discontinuity/event_scene.h"
-#include "geometry/discontinuity/receiver_sight.h"
+#include "geometry/discontinuity/receiver_visibility.h"
 #include "geometry/discontinuity/visible_cones.h"
 #include "tests/geometry/discontinuity/mesh_cases.h"
 #include "tests/geometry/discontinuity/mesh_probe.h"
@@ -50,7 +50,7 @@ std::vector<event::ShapeId> shapes_before(const event::EventScene& scene, const 
 
 Rational doubled_area_of(const VisiblePart& part) {
   ExactVector sum;
-  for (const SeenFacet& facet : part.facets) {
+  for (const VisibleFacet& facet : part.facets) {
     for (const ExactPolygon& piece : facet.visible) sum = sum + doubled_area(piece);
   }
   return dot(sum, sum);
@@ -65,10 +65,10 @@ void compare_at(const ExactVector& p, const SideCase& drawn, std::uint32_t r, Co
   const event::EventScene scene = scene_of(drawn);
   const event::ReceiverPlane plane = plane_of(drawn.receivers[r]);
   event::VisibleCones cones(scene, plane);
-  ++(cones.look(p, shapes_before(scene, plane)) ? tally.looked : tally.left);
-  if (!cones.look(p, shapes_before(scene, plane))) return;
-  event::ReceiverSight sight(scene, drawn.light, drawn.blockers, r, plane);
-  const VisiblePart exactly = sight.visible_from(p);
+  ++(cones.view(p, shapes_before(scene, plane)) ? tally.looked : tally.left);
+  if (!cones.view(p, shapes_before(scene, plane))) return;
+  event::ReceiverVisibility visibility(scene, drawn.light, drawn.blockers, r, plane);
+  const VisiblePart exactly = visibility.visible_from(p);
   ASSERT_EQ(static_cast<int>(cones.region()), static_cast<int>(exactly.region)) << test_support::scene_text(drawn);
   tally.penumbra += exactly.region == Region::penumbra;
   tally.umbra += exactly.region == Region::umbra;
@@ -101,8 +101,8 @@ TEST(VisibleCones, LeaveBlockersThroughTheLightToOthers) {
   const event::EventScene scene = scene_of(drawn);
   const event::ReceiverPlane plane = plane_of(drawn.receivers[0]);
   event::VisibleCones cones(scene, plane);
-  EXPECT_FALSE(cones.look(exact(Point3{0, 0, 0}), shapes_before(scene, plane)));
-  EXPECT_TRUE(cones.look(exact(Point3{0, 0, 0}), {}));
+  EXPECT_FALSE(cones.view(exact(Point3{0, 0, 0}), shapes_before(scene, plane)));
+  EXPECT_TRUE(cones.view(exact(Point3{0, 0, 0}), {}));
   EXPECT_EQ(static_cast<int>(cones.region()), static_cast<int>(Region::lit));
 }
 

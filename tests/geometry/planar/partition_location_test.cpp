@@ -9,8 +9,8 @@
 
 #include "apps/proof/laws/flatland_cases.h"
 #include "geometry/planar/partition_data.h"
-#include "geometry/planar/sight_query.h"
 #include "geometry/planar/viewpoint.h"
+#include "geometry/planar/visibility_query.h"
 
 namespace gnomon::planar {
 namespace {
@@ -51,17 +51,17 @@ FlatlandCase located_case(Domain domain, int most) {
 }
 
 void expect_regions(const FlatlandCase& drawn, const PartitionOptions& options) {
-  const Sight sight(drawn.flatland());
-  const Partition parts = partition(sight, options);
+  const LightVisibility visibility(drawn.flatland());
+  const Partition parts = partition(visibility, options);
   const PartitionLocation location(parts);
   for (const Point2& p : asked_points(drawn, parts)) {
     RC_LOG() << p.x << ' ' << p.y << '\n';
-    RC_ASSERT(location.region(p) == sight.region(p));
+    RC_ASSERT(location.region(p) == visibility.region(p));
   }
 }
 
 /// The places of all interval ends, exactly.
-std::vector<Rational> places(const SightQuery& query, const VisibleLight& seen) {
+std::vector<Rational> places(const VisibilityQuery& query, const VisibleLight& seen) {
   std::vector<Rational> all;
   for (const VisibleInterval& interval : seen.intervals) {
     for (const IntervalEnd& end : {interval.from, interval.to}) all.push_back(query.place(end.name));
@@ -83,14 +83,14 @@ RC_GTEST_PROP(PartitionLocationAgreement, RegionsInAndOutsideABoxAreThoseThatThe
 
 RC_GTEST_PROP(PartitionLocationAgreement, VisibleIntervalsAreThoseThatThePointSees, ()) {
   const FlatlandCase drawn = located_case(Domain::random, 4);
-  const Sight sight(drawn.flatland());
-  const Partition parts = partition(sight, {Fineness::structure, {}});
+  const LightVisibility visibility(drawn.flatland());
+  const Partition parts = partition(visibility, {Fineness::structure, {}});
   const PartitionLocation location(parts);
   for (const Point2& p : asked_points(drawn, parts)) {
     RC_LOG() << p.x << ' ' << p.y << '\n';
     const Viewpoint from(p);
-    const SightQuery query(sight, from);
-    const VisibleLight found = location.visible_light(p), seen = sight.visible_light(p);
+    const VisibilityQuery query(visibility, from);
+    const VisibleLight found = location.visible_light(p), seen = visibility.visible_light(p);
     RC_ASSERT(found.region == seen.region);
     const std::vector<Rational> exact = places(query, seen);
     RC_ASSERT(places(query, found) == exact);
@@ -103,7 +103,7 @@ RC_GTEST_PROP(PartitionLocationAgreement, VisibleIntervalsAreThoseThatThePointSe
 }
 
 PartitionLocation location_of(const std::vector<Point2>& light, const std::vector<BlockerSegment>& blockers) {
-  return PartitionLocation(partition(Sight(Flatland::from_points(light, blockers))));
+  return PartitionLocation(partition(LightVisibility(Flatland::from_points(light, blockers))));
 }
 
 TEST(PartitionLocationDegenerate, WithoutBlockersEveryPointIsInTheOneFace) {

@@ -164,32 +164,32 @@ void expect_points(const FlatlandCase& drawn, const Partition& partition) {
 
 RC_GTEST_PROP(PartitionProperty, EveryEdgeSeparatesWhatTheDefinitionSays, ()) {
   const FlatlandCase drawn = drawn_case(Domain::random);
-  expect_edges(drawn, partition(Sight(drawn.flatland())));
+  expect_edges(drawn, partition(LightVisibility(drawn.flatland())));
 }
 
 RC_GTEST_PROP(PartitionProperty, EveryEdgeDoesSoOneUlpOff, ()) {
   const FlatlandCase drawn = drawn_case(Domain::near_degenerate);
-  expect_edges(drawn, partition(Sight(drawn.flatland())));
+  expect_edges(drawn, partition(LightVisibility(drawn.flatland())));
 }
 
 RC_GTEST_PROP(PartitionProperty, EveryPointOfABoxLiesInOneFaceOfItsRegion, ()) {
   const FlatlandCase drawn = drawn_case(Domain::random);
-  const Partition parts = partition(Sight(drawn.flatland()), {Fineness::regions, the_box});
+  const Partition parts = partition(LightVisibility(drawn.flatland()), {Fineness::regions, the_box});
   expect_edges(drawn, parts);
   expect_points(drawn, parts);
 }
 
 RC_GTEST_PROP(PartitionProperty, FinerFacesHaveOneListOfVisibleIntervals, ()) {
   const FlatlandCase drawn = drawn_case(Domain::random, 4);
-  const Sight sight(drawn.flatland());
-  const Partition fine = partition(sight, {Fineness::structure, the_box});
+  const LightVisibility visibility(drawn.flatland());
+  const Partition fine = partition(visibility, {Fineness::structure, the_box});
   expect_points(drawn, [&] { return fine; }());
   for (int i = 0; i < 5; ++i) {
     const int x = *rc::gen::inRange(-300, 301), y = *rc::gen::inRange(-300, 301);
     const Point2 p{x / 19.0, y / 19.0};
     for (const PartitionFace& face : fine.faces()) {
       if (winding(fine, face, laws::exact(p)) != 1) continue;
-      const VisibleLight seen = sight.visible_light(p);
+      const VisibleLight seen = visibility.visible_light(p);
       RC_ASSERT(seen.intervals.size() == face.visible.size());
       for (std::size_t k = 0; k < seen.intervals.size(); ++k) {
         RC_ASSERT(seen.intervals[k].from.name == face.visible[k].from.name);
@@ -201,7 +201,7 @@ RC_GTEST_PROP(PartitionProperty, FinerFacesHaveOneListOfVisibleIntervals, ()) {
 
 Partition partition_of(const std::vector<Point2>& light, const std::vector<BlockerSegment>& blockers,
                        const PartitionOptions& options = {}) {
-  return partition(Sight(Flatland::from_points(light, blockers)), options);
+  return partition(LightVisibility(Flatland::from_points(light, blockers)), options);
 }
 
 std::array<std::size_t, 3> counts(const Partition& parts) {
@@ -225,9 +225,10 @@ TEST(Partition, HasAJointUmbraBehindTwoBlockersThatOverlapAsSeen) {
   EXPECT_EQ(std::ranges::count_if(
                 parts.faces(), [](const PartitionFace& face) { return face.region == Region::umbra && face.bounded; }),
             1);
-  EXPECT_EQ(parts.sight().region({-0.375, 1}), Region::umbra);
+  EXPECT_EQ(parts.visibility().region({-0.375, 1}), Region::umbra);
   for (const BlockerSegment& blocker : blockers) {
-    EXPECT_EQ(Sight(Flatland::from_points(parts.sight().flatland().light(), {&blocker, 1})).region({-0.375, 1}),
+    EXPECT_EQ(LightVisibility(Flatland::from_points(parts.visibility().flatland().light(), {&blocker, 1}))
+                  .region({-0.375, 1}),
               Region::penumbra);
   }
 }
@@ -261,7 +262,7 @@ TEST(Partition, ChecksTheBox) {
 
 RC_GTEST_PROP(PartitionInBoxProperty, TrianglesTileTheFaces, ()) {
   const FlatlandCase drawn = drawn_case(Domain::random);
-  const Partition parts = partition(Sight(drawn.flatland()), {Fineness::regions, the_box});
+  const Partition parts = partition(LightVisibility(drawn.flatland()), {Fineness::regions, the_box});
   const PartitionInBox in_box = partition_in_box(parts);
   const auto& vertices = parts.data().exact_vertices;
   std::vector<Rational> twice(parts.faces().size());

@@ -19,7 +19,8 @@ using laws::Layout;
 
 std::vector<ReceiverEvent> events(const std::vector<BlockerSegment>& blockers,
                                   const std::array<Point2, 2>& receiver = {{{-8, 0}, {8, 0}}}) {
-  return receiver_events(Sight(Flatland::from_points(std::vector<Point2>{{-1, 4}, {1, 4}}, blockers)), receiver);
+  return receiver_events(LightVisibility(Flatland::from_points(std::vector<Point2>{{-1, 4}, {1, 4}}, blockers)),
+                         receiver);
 }
 
 TEST(ReceiverEvents, UnderOneBlockerAreTheFourExtremalLines) {
@@ -42,7 +43,7 @@ TEST(ReceiverEvents, JumpWhereABlockerStandsOnTheReceiver) {
 }
 
 std::vector<ReceiverEvent> axis_events(const std::vector<Point2>& light, const std::vector<BlockerSegment>& blockers) {
-  return receiver_events(Sight(Flatland::from_points(light, blockers)), {{{-12, 0}, {12, 0}}});
+  return receiver_events(LightVisibility(Flatland::from_points(light, blockers)), {{{-12, 0}, {12, 0}}});
 }
 
 TEST(ReceiverEventsRegression, AnEndOnTheReceiverThatHidesEqualSharesIsNoJump) {
@@ -108,7 +109,7 @@ void expect_orders(const std::array<Point2, 2>& receiver, Layout layout) {
   if (drawn.light.size() == 1) return;
   Rational tiny = 1;
   for (int i = 0; i < 400; ++i) tiny /= 2;
-  for (const ReceiverEvent& event : receiver_events(Sight(drawn.flatland()), receiver)) {
+  for (const ReceiverEvent& event : receiver_events(LightVisibility(drawn.flatland()), receiver)) {
     const Rational place = exact_place(drawn, receiver, event);
     RC_LOG() << "event at " << event.place << '\n';
     RC_ASSERT(nearest_double(place) == event.place);
@@ -136,7 +137,7 @@ RC_GTEST_PROP(ReceiverEventsProperty, BetweenEventsTheVisiblePartsKeepTheirNumbe
   RC_LOG() << laws::description(drawn);
   if (drawn.light.size() == 1) return;
   const auto& receiver = the_slanted;
-  const auto found = receiver_events(Sight(drawn.flatland()), receiver);
+  const auto found = receiver_events(LightVisibility(drawn.flatland()), receiver);
   const laws::ExactVector start = laws::exact(receiver[0]), way = laws::exact(receiver[1]) - start;
   std::vector<double> places{0};
   for (const ReceiverEvent& event : found) places.push_back(event.place);

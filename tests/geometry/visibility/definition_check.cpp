@@ -5,16 +5,16 @@
 #include <cmath>
 #include <vector>
 
-#include "apps/proof/laws/sight.h"
+#include "apps/proof/laws/visibility_definition.h"
 
 namespace gnomon {
 namespace {
 
-using laws::SightCase;
+using laws::VisibilityCase;
 using laws::Walls;
 using Real = boost::multiprecision::mpfr_float_100;
 
-std::vector<Walls> all_walls(const SightCase& drawn) {
+std::vector<Walls> all_walls(const VisibilityCase& drawn) {
   std::vector<Walls> result;
   for (const ConvexBlocker& blocker : drawn.blockers) result.push_back(laws::walls(blocker));
   return result;
@@ -55,7 +55,7 @@ Expected expected_of_area(const ConvexPolygon& polygon, const std::vector<Walls>
   return {all ? Region::lit : none ? Region::umbra : Region::penumbra, visible / whole};
 }
 
-Expected expected(const SightCase& drawn) {
+Expected expected(const VisibilityCase& drawn) {
   const std::vector<Walls> blockers = all_walls(drawn);
   const laws::ExactVector p = laws::exact(drawn.point);
   if (laws::is_unlit(drawn.light, p)) return {Region::unlit, 0};
@@ -82,7 +82,7 @@ Expected expected(const SightCase& drawn) {
 
 }  // namespace
 
-std::optional<std::string> disagreement(const SightCase& drawn, const Visibility& got) {
+std::optional<std::string> disagreement(const VisibilityCase& drawn, const Visibility& got) {
   const Expected want = expected(drawn);
   if (got.region != want.region) return std::string(name(got.region)) + " for " + std::string(name(want.region));
   const auto error = [&](double value) { return Real(abs(Real(value) - want.fraction)); };

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "apps/proof/laws/sight_cases.h"
+#include "apps/proof/laws/visibility_cases.h"
 #include "geometry/visibility/visible_part.h"
 #include "gnomon/visibility.h"
 #include "tests/support/dice.h"
@@ -18,7 +18,7 @@ namespace {
 using laws::BlockerKind;
 using laws::Domain;
 using laws::LightKind;
-using laws::SightCase;
+using laws::VisibilityCase;
 using test_support::Dice;
 using Interval = VisiblePart::Interval;
 
@@ -27,7 +27,7 @@ ConvexPolygon polygon(std::vector<Point3> points) {
 }
 
 /// The exact intervals, those that abut made one.
-std::vector<Interval> whole_intervals(const SightCase& drawn) {
+std::vector<Interval> whole_intervals(const VisibilityCase& drawn) {
   std::vector<Interval> whole;
   for (const Interval& next : exact_visible_part(drawn.light, {drawn.blockers, {}}, drawn.point).intervals) {
     if (!whole.empty() && whole.back()[1] == next[0]) {
@@ -49,7 +49,7 @@ bool is_named(const StretchEnd& end, const Rational& share, std::size_t blockers
   return *end.blocker < blockers && share > 0 && share < 1;
 }
 
-void expect_same(const LinearLightSeen& seen, const SightCase& drawn) {
+void expect_same(const VisibleLinearLight& seen, const VisibilityCase& drawn) {
   const Visibility exact = exact_visibility(drawn.light, {drawn.blockers, {}}, drawn.point);
   RC_ASSERT(name(seen.region) == name(exact.region));
   RC_ASSERT(std::fabs(seen.fraction - exact.fraction) <= seen.error_bound + exact.error_bound);
@@ -68,13 +68,13 @@ void check_agreement(Domain domain, int most_blockers) {
   int decided = 0;
   int asked = 0;
   const auto cases =
-      laws::sight_cases(domain, {{LightKind::segment}, {BlockerKind::polygon, BlockerKind::solid}, most_blockers});
+      laws::visibility_cases(domain, {{LightKind::segment}, {BlockerKind::polygon, BlockerKind::solid}, most_blockers});
   EXPECT_TRUE(rc::check("levels agree", [&] {
-    const SightCase drawn = *cases;
+    const VisibilityCase drawn = *cases;
     RC_LOG() << laws::description(drawn);
     FastLinearVisibility fast(std::get<LinearLight>(drawn.light), BlockerSet(drawn.blockers));
     ++asked;
-    if (const auto seen = fast.seen_from(drawn.point)) {
+    if (const auto seen = fast.visible_from(drawn.point)) {
       ++decided;
       expect_same(*seen, drawn);
     }
@@ -93,11 +93,11 @@ TEST(FastLinearVisibilityAgreement, MatchesTheExactLevelNearDegeneracy) {
 }
 
 /// Blockers between point and light on small integers: they overlap as seen, and there are enough for the hierarchy.
-SightCase draw_between(Dice& dice, int blockers) {
+VisibilityCase draw_between(Dice& dice, int blockers) {
   const auto at = [&](int low, int high) {
     return Point3{1.0 * dice.draw(-3, 3), 1.0 * dice.draw(-3, 3), 1.0 * dice.draw(low, high)};
   };
-  SightCase drawn{LinearLight{at(8, 8), at(9, 9)}, {}, at(-2, 1)};
+  VisibilityCase drawn{LinearLight{at(8, 8), at(9, 9)}, {}, at(-2, 1)};
   while (static_cast<int>(drawn.blockers.size()) < blockers) {
     const std::vector<Point3> triangle = {at(1, 7), at(1, 7), at(1, 7)};
     if (!ConvexPolygon::defect(triangle)) drawn.blockers.push_back(polygon(triangle));
@@ -110,10 +110,10 @@ TEST(FastLinearVisibilityAgreement, MatchesTheExactLevelBehindManyTriangles) {
   int asked = 0;
   EXPECT_TRUE(rc::check("levels agree", [&] {
     Dice dice;
-    const SightCase drawn = draw_between(dice, dice.once_in(10) ? 30 : 4);
+    const VisibilityCase drawn = draw_between(dice, dice.once_in(10) ? 30 : 4);
     FastLinearVisibility fast(std::get<LinearLight>(drawn.light), BlockerSet(drawn.blockers));
     ++asked;
-    if (const auto seen = fast.seen_from(drawn.point)) {
+    if (const auto seen = fast.visible_from(drawn.point)) {
       ++decided;
       expect_same(*seen, drawn);
     }
@@ -125,12 +125,12 @@ TEST(FastLinearVisibilityProperty, AddingABlockerNeverRaisesTheFraction) {
   EXPECT_TRUE(rc::check([] {
     Dice dice;
     if (!dice.once_in(10)) return;
-    const SightCase drawn = draw_between(dice, 8);
+    const VisibilityCase drawn = draw_between(dice, 8);
     double most = 1;
     for (std::size_t count = 0; count <= drawn.blockers.size(); ++count) {
       const std::span some(drawn.blockers.data(), count);
       const auto seen =
-          FastLinearVisibility(std::get<LinearLight>(drawn.light), BlockerSet(some)).seen_from(drawn.point);
+          FastLinearVisibility(std::get<LinearLight>(drawn.light), BlockerSet(some)).visible_from(drawn.point);
       if (!seen) continue;
       RC_ASSERT(seen->fraction <= most + seen->error_bound);
       most = std::fmin(most, seen->fraction + seen->error_bound);
@@ -142,7 +142,7 @@ TEST(FastLinearVisibility, TellsWhichEdgeBoundsWhatIsSeen) {
   FastLinearVisibility fast(
       {{-1, 0, 2}, {1, 0, 2}},
       BlockerSet(std::vector<ConvexBlocker>{polygon({{0, -9, 1}, {9, -9, 1}, {9, 9, 1}, {0, 9, 1}})}));
-  const auto seen = fast.seen_from({0, 0, 0});
+  const auto seen = fast.visible_from({0, 0, 0});
   ASSERT_TRUE(seen && seen->visible.size() == 1);
   const auto& [from, to] = seen->visible.front();
   EXPECT_FALSE(from.blocker);
@@ -155,7 +155,7 @@ TEST(FastLinearVisibility, TellsWhichEdgeBoundsWhatIsSeen) {
 TEST(FastLinearVisibilityDegenerate, AnEdgeCoplanarWithTheLightHidesWhatItCrosses) {
   const ConvexBlocker board = polygon({{-.25, 0, 1}, {.25, 0, 1}, {.25, 5, 1}, {-.25, 5, 1}});
   FastLinearVisibility fast({{-1, 0, 2}, {1, 0, 2}}, BlockerSet(std::vector{board}));
-  const auto seen = fast.seen_from({0, 0, 0});
+  const auto seen = fast.visible_from({0, 0, 0});
   ASSERT_TRUE(seen);
   EXPECT_EQ(seen->region, Region::penumbra);
   EXPECT_NEAR(seen->fraction, 0.5, seen->error_bound);
@@ -164,7 +164,7 @@ TEST(FastLinearVisibilityDegenerate, AnEdgeCoplanarWithTheLightHidesWhatItCrosse
 TEST(FastLinearVisibilityDegenerate, ABlockerThatOnlyCarriesTheLightOnItsEdgeHidesNothingOrIsLeftOpen) {
   const ConvexBlocker shelf = polygon({{-2, 0, 2}, {2, 0, 2}, {2, 1, 1}, {-2, 1, 1}});
   FastLinearVisibility fast({{-1, 0, 2}, {1, 0, 2}}, BlockerSet(std::vector{shelf}));
-  const auto seen = fast.seen_from({0, 0, 0});
+  const auto seen = fast.visible_from({0, 0, 0});
   if (seen) {
     EXPECT_EQ(seen->region, Region::lit);
   }
@@ -191,7 +191,7 @@ TEST(FastLinearVisibilityProperty, NoLightLeaksThroughTheSharedEdgesOfAClosedBox
     const LinearLight tube{{a.x, a.y, 4}, {b.x, b.y, 6}};
     const Point3 p = at(20, dice.once_in(2) ? 1 : 1.0 / 7);
     if (p.z >= 3) return;
-    const auto seen = FastLinearVisibility(tube, BlockerSet(box)).seen_from(p);
+    const auto seen = FastLinearVisibility(tube, BlockerSet(box)).visible_from(p);
     if (!seen) return;  // on the tube's line
     RC_ASSERT(name(seen->region) == "umbra");
     RC_ASSERT(seen->fraction == 0.0 && seen->error_bound == 0.0);
@@ -200,10 +200,10 @@ TEST(FastLinearVisibilityProperty, NoLightLeaksThroughTheSharedEdgesOfAClosedBox
 
 TEST(FastLinearVisibility, LeavesPointsOnItsLineAndHugeCoordinatesOpen) {
   FastLinearVisibility fast({{0, 0, 1}, {0, 0, 2}}, BlockerSet({}));
-  EXPECT_FALSE(fast.seen_from({0, 0, 0}));
-  EXPECT_FALSE(fast.seen_from({0, 0, 1.5}));
-  EXPECT_FALSE(fast.seen_from({1e31, 0, 0}));
-  EXPECT_TRUE(fast.seen_from({1, 0, 0}));
+  EXPECT_FALSE(fast.visible_from({0, 0, 0}));
+  EXPECT_FALSE(fast.visible_from({0, 0, 1.5}));
+  EXPECT_FALSE(fast.visible_from({1e31, 0, 0}));
+  EXPECT_TRUE(fast.visible_from({1, 0, 0}));
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "apps/proof/laws/sight_cases.h"
+#include "apps/proof/laws/visibility_cases.h"
 #include "gnomon/visibility.h"
 #include "tests/support/dice.h"
 
@@ -15,7 +15,7 @@ namespace {
 using laws::BlockerKind;
 using laws::Domain;
 using laws::LightKind;
-using laws::SightCase;
+using laws::VisibilityCase;
 using test_support::Dice;
 
 FastPointVisibility::SmallLight small(const Light& light) {
@@ -26,9 +26,10 @@ FastPointVisibility::SmallLight small(const Light& light) {
 void check_agreement(Domain domain, LightKind kind, int most_blockers) {
   int decided = 0;
   int asked = 0;
-  const auto cases = laws::sight_cases(domain, {{kind}, {BlockerKind::polygon, BlockerKind::solid}, most_blockers});
+  const auto cases =
+      laws::visibility_cases(domain, {{kind}, {BlockerKind::polygon, BlockerKind::solid}, most_blockers});
   EXPECT_TRUE(rc::check("levels agree", [&] {
-    const SightCase drawn = *cases;
+    const VisibilityCase drawn = *cases;
     RC_LOG() << laws::description(drawn);
     FastPointVisibility fast(small(drawn.light), BlockerSet(drawn.blockers));
     ++asked;

@@ -137,7 +137,7 @@ std::vector<ConvexBlocker> draw_closed_surfaces(Dice& dice, int high) {
 
 /// The fast level decides and agrees, or it may leave the question open: true if it decided.
 bool agrees(const Drawn& scene, const Point3& p, FastVisibility& fast) {
-  const std::optional<LightSeen> seen = fast.seen_from(p);
+  const std::optional<VisibleAreaLight> seen = fast.visible_from(p);
   if (!seen) return false;
   const test_support::SplitView exact = test_support::split_view(scene.light, scene.blockers, p);
   RC_ASSERT(name(seen->region) == name(exact.region));
@@ -187,7 +187,7 @@ TEST(FastVisibilityDegenerate, AClosedSurfaceHidesTheLightAlsoWithoutTheFacetUnd
   }
   FastVisibility fast(light, BlockerSet(plate));
   const ReceiverPoint below{{0, 0, 0}, FacingNormal{{0, 0, 1}}, {0}};
-  const std::optional<LightSeen> seen = fast.seen_by(below);
+  const std::optional<VisibleAreaLight> seen = fast.visible_by(below);
   ASSERT_TRUE(seen);
   EXPECT_EQ(seen->region, Region::umbra);
   EXPECT_EQ(exact_received(light, {plate, {}}, below).region, Region::umbra);
@@ -205,7 +205,7 @@ TEST(FastVisibilityDegenerate, AClosedSurfaceAroundTheLightHidesItFromOutside) {
   }
   FastVisibility fast(light, BlockerSet(shell));
   for (const Point3& p : {Point3{0, 0, 0}, Point3{1, 2, -3}, Point3{5, 5, 1}}) {
-    const std::optional<LightSeen> seen = fast.seen_from(p);
+    const std::optional<VisibleAreaLight> seen = fast.visible_from(p);
     ASSERT_TRUE(seen);
     EXPECT_EQ(seen->region, Region::umbra);
   }
@@ -285,7 +285,7 @@ TEST(FastVisibilityFallback, LeavesFewerThanOneRandomPointInTenThousandToTheExac
     FastVisibility fast({rectangle(-0.5, 0.5, -0.5, 0.5, 4)}, BlockerSet(blockers));
     for (int i = 0; i < 1000; ++i, ++asked) {
       const double x = dice.draw(-1'000'000, 1'000'000) / 1e6;
-      left += fast.seen_from({x, dice.draw(-1'000'000, 1'000'000) / 1e6, 0}) ? 0 : 1;
+      left += fast.visible_from({x, dice.draw(-1'000'000, 1'000'000) / 1e6, 0}) ? 0 : 1;
     }
   }
   std::cout << left << " of " << asked << " points left to the exact level\n";
@@ -326,7 +326,7 @@ RC_GTEST_PROP(FastVisibilityProperty, NoLightLeaksThroughASharedEdge, ()) {
     const Point3 p = dice.once_in(2)
                          ? draw_point(dice, 9, -9, 2)
                          : Point3{dice.draw(-99, 99) / 7.0, dice.draw(-99, 99) / 7.0, dice.draw(-99, 9) / 7.0};
-    const std::optional<LightSeen> seen = fast.seen_from(p);
+    const std::optional<VisibleAreaLight> seen = fast.visible_from(p);
     RC_ASSERT(seen.has_value());
     RC_ASSERT(name(seen->region) == "umbra");
     RC_ASSERT(seen->fraction == 0.0);
@@ -343,7 +343,7 @@ RC_GTEST_PROP(FastVisibilityProperty, AddingABlockerNeverRaisesTheFraction, ()) 
   for (std::size_t count = 0; count <= scene.blockers.size(); ++count) {
     const std::span<const ConvexBlocker> some(scene.blockers.data(), count);
     FastVisibility fast(scene.light, BlockerSet(some));
-    const std::optional<LightSeen> seen = fast.seen_from(p);
+    const std::optional<VisibleAreaLight> seen = fast.visible_from(p);
     if (!seen || seen->region == Region::unlit) continue;
     RC_ASSERT(seen->fraction <= least + seen->error_bound);
     least = std::fmin(least, seen->fraction + seen->error_bound);
@@ -351,7 +351,7 @@ RC_GTEST_PROP(FastVisibilityProperty, AddingABlockerNeverRaisesTheFraction, ()) 
 }
 
 std::optional<Region> region_behind(const AreaLight& light, std::span<const ConvexBlocker> blockers, const Point3& p) {
-  const std::optional<LightSeen> seen = FastVisibility(light, BlockerSet(blockers)).seen_from(p);
+  const std::optional<VisibleAreaLight> seen = FastVisibility(light, BlockerSet(blockers)).visible_from(p);
   return seen ? std::optional(seen->region) : std::nullopt;
 }
 
@@ -379,8 +379,8 @@ RC_GTEST_PROP(FastVisibilityProperty, ShadowsUniteAndUmbraeComeFromUmbraeOrTwoPe
   }
 }
 
-LightSeen seen_behind(const AreaLight& light, const std::vector<ConvexBlocker>& blockers, const Point3& p) {
-  LightSeen seen = FastVisibility(light, BlockerSet(blockers)).seen_from(p).value();
+VisibleAreaLight seen_behind(const AreaLight& light, const std::vector<ConvexBlocker>& blockers, const Point3& p) {
+  VisibleAreaLight seen = FastVisibility(light, BlockerSet(blockers)).visible_from(p).value();
   seen.boundary = {};
   return seen;
 }
@@ -394,7 +394,7 @@ TEST(FastVisibilityRefutedClaim, F5PairsOfBlockersDoNotSuffice) {
     EXPECT_NEAR(seen_behind(light, {thirds[i]}, p).fraction, 2.0 / 3, 1e-14);
     EXPECT_NEAR(seen_behind(light, {thirds[i], thirds[(i + 1) % 3]}, p).fraction, 1.0 / 3, 1e-14);
   }
-  const LightSeen together = seen_behind(light, {thirds[0], thirds[1], thirds[2]}, p);
+  const VisibleAreaLight together = seen_behind(light, {thirds[0], thirds[1], thirds[2]}, p);
   EXPECT_EQ(together.region, Region::umbra);
   EXPECT_EQ(together.fraction, 0);
   EXPECT_EQ(together.error_bound, 0);
@@ -417,8 +417,8 @@ RC_GTEST_PROP(FastVisibilityProperty, TheOrderOfBlockersDoesNotMatter, ()) {
   FastVisibility one(scene.light, BlockerSet(scene.blockers));
   std::reverse(scene.blockers.begin(), scene.blockers.end());
   FastVisibility other(scene.light, BlockerSet(scene.blockers));
-  const std::optional<LightSeen> a = one.seen_from(p);
-  const std::optional<LightSeen> b = other.seen_from(p);
+  const std::optional<VisibleAreaLight> a = one.visible_from(p);
+  const std::optional<VisibleAreaLight> b = other.visible_from(p);
   RC_ASSERT(a.has_value() == b.has_value());
   if (!a) return;
   RC_ASSERT(name(a->region) == name(b->region));

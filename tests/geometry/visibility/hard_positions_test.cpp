@@ -83,7 +83,7 @@ TEST_P(HardPosition, IsDecidedAsDefined) {
     // All of them in a long run.
     const std::size_t step = GNOMON_LONG ? 1 : points.size() / 60 + 1;
     for (std::size_t i = 0; i < points.size(); i += step) {
-      const laws::SightCase drawn{light.shape, blockers, points[i]};
+      const laws::VisibilityCase drawn{light.shape, blockers, points[i]};
       const auto difference = disagreement(drawn, exact_visibility(light.shape, {blockers, {}}, points[i]));
       ASSERT_FALSE(difference) << *difference << '\n' << light.name << '\n' << description(drawn);
     }

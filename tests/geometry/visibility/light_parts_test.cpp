@@ -9,7 +9,7 @@
 
 #include "apps/proof/laws/definition.h"
 #include "apps/proof/laws/exact.h"
-#include "apps/proof/laws/sight.h"
+#include "apps/proof/laws/visibility_definition.h"
 #include "gnomon/errors.h"
 #include "tests/support/dice.h"
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "apps/proof/laws/sight_cases.h"
+#include "apps/proof/laws/visibility_cases.h"
 #include "geometry/visibility/fast_visibility.h"
 
 namespace gnomon {
@@ -14,7 +14,7 @@ namespace {
 using laws::BlockerKind;
 using laws::Domain;
 using laws::LightKind;
-using laws::SightCase;
+using laws::VisibilityCase;
 
 bool within_bounds(double fraction, double bound, const Visibility& exact) {
   return std::fabs(fraction - exact.fraction) <= bound + exact.error_bound;
@@ -25,11 +25,11 @@ void check_fast_level(Domain domain, int most_blockers) {
   int decided = 0;
   int asked = 0;
   const auto cases =
-      laws::sight_cases(domain, {{LightKind::polygon}, {BlockerKind::polygon, BlockerKind::solid}, most_blockers});
+      laws::visibility_cases(domain, {{LightKind::polygon}, {BlockerKind::polygon, BlockerKind::solid}, most_blockers});
   EXPECT_TRUE(rc::check("levels agree", [&] {
-    const SightCase drawn = *cases;
+    const VisibilityCase drawn = *cases;
     FastVisibility fast(std::get<AreaLight>(drawn.light), BlockerSet(drawn.blockers));
-    const std::optional<LightSeen> seen = fast.seen_from(drawn.point);
+    const std::optional<VisibleAreaLight> seen = fast.visible_from(drawn.point);
     ++asked;
     if (!seen) return;
     ++decided;
@@ -93,7 +93,7 @@ std::size_t pieces_around_a_cross(double distance) {
   };
   const std::vector<ConvexBlocker> blockers = {rectangle(0.5, 0.3), rectangle(0.3, 0.5)};
   FastVisibility visibility(light, BlockerSet(blockers));
-  return visibility.seen_from(beside(0, 0, distance)).value().boundary.size();
+  return visibility.visible_from(beside(0, 0, distance)).value().boundary.size();
 }
 
 TEST(FastVisibilityRegression, BlockersCrossBeforeALightNearerThanRoundingTells) {
@@ -102,12 +102,13 @@ TEST(FastVisibilityRegression, BlockersCrossBeforeALightNearerThanRoundingTells)
 }
 
 TEST(LightVisibilityAgreement, EveryLightIsAnsweredAsTheExactLevelDoes) {
-  const auto cases = laws::sight_cases(Domain::random, {{LightKind::point, LightKind::direction, LightKind::segment,
-                                                         LightKind::polygon, LightKind::rounded_polygon},
-                                                        {BlockerKind::polygon, BlockerKind::solid},
-                                                        3});
+  const auto cases = laws::visibility_cases(
+      Domain::random,
+      {{LightKind::point, LightKind::direction, LightKind::segment, LightKind::polygon, LightKind::rounded_polygon},
+       {BlockerKind::polygon, BlockerKind::solid},
+       3});
   EXPECT_TRUE(rc::check("answers agree", [&] {
-    const SightCase drawn = *cases;
+    const VisibilityCase drawn = *cases;
     LightVisibility both(drawn.light, PreparedObstacles({drawn.blockers, {}}));
     const Visibility seen = both.at(drawn.point);
     const Visibility exact = exact_visibility(drawn.light, {drawn.blockers, {}}, drawn.point);

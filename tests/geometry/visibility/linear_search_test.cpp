@@ -12,10 +12,10 @@
 namespace gnomon {
 namespace {
 
-using sight::LightCylinder;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::IsEmpty;
+using viewpoint::LightCylinder;
 
 ConvexBlocker square(double x, double y, double z) {
   return ConvexPolygon::from_points({{x, y, z}, {x + 1, y, z}, {x + 1, y + 1, z}, {x, y + 1, z}});
@@ -56,11 +56,11 @@ TEST(LinearSearchDegenerate, FindsWhatTheLightsLinePiercesFromEverywhere) {
 
 TEST(LightCylinder, TellsTurnDistanceAndPlaceAlongWithinItsErrors) {
   const LightCylinder cylinder({{1, 2, 3}, {1, 2, 7}});
-  const sight::CylinderPlace place = cylinder.place_of({4, 6, 5});
+  const viewpoint::CylinderPlace place = cylinder.place_of({4, 6, 5});
   EXPECT_NEAR(place.distance, 5, place.error);
   EXPECT_NEAR(place.along, 2, place.error);
   EXPECT_NEAR(cylinder.length(), 4, cylinder.length_error());
-  const sight::CylinderPlace opposite = cylinder.place_of({-2, -2, 5});
+  const viewpoint::CylinderPlace opposite = cylinder.place_of({-2, -2, 5});
   EXPECT_NEAR(std::fabs(place.turn - opposite.turn), 2, place.turn_error + opposite.turn_error);
   EXPECT_EQ(cylinder.place_of({1, 2, 9}).turn_error, HUGE_VAL) << "on the line";
 }
@@ -68,30 +68,30 @@ TEST(LightCylinder, TellsTurnDistanceAndPlaceAlongWithinItsErrors) {
 TEST(LightCylinder, PutsABoxAroundAPolygonThatReachesNearerThanItsCorners) {
   const LightCylinder cylinder({{0, 0, 0}, {0, 0, 1}});
   const std::vector<Point3> board{{3, -4, 0}, {3, 4, 0}, {3, 4, 2}, {3, -4, 2}};
-  const std::vector<sight::PointPair> edges{{0, 1}, {1, 2}, {2, 3}, {3, 0}};
-  const sight::CylinderBox box = cylinder.box_of(board, edges);
+  const std::vector<viewpoint::PointPair> edges{{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+  const viewpoint::CylinderBox box = cylinder.box_of(board, edges);
   EXPECT_NEAR(box.low_distance, 3, 1e-12);
   EXPECT_NEAR(box.high_distance, 5, 1e-12);
   EXPECT_LE(box.low_distance, 3);
   EXPECT_GE(box.high_distance, 5);
   EXPECT_FALSE(box.is_all_round());
   const std::vector<Point3> around{{3, -4, 0}, {3, 4, 0}, {-3, 0, 2}};
-  EXPECT_TRUE(cylinder.box_of(around, std::vector<sight::PointPair>{{0, 1}, {1, 2}, {2, 0}}).is_all_round());
+  EXPECT_TRUE(cylinder.box_of(around, std::vector<viewpoint::PointPair>{{0, 1}, {1, 2}, {2, 0}}).is_all_round());
 }
 
 TEST(TriangleInBox, IsHeldApartByAnAxisAcrossTwoEdges) {
   const Box3 box{{0, 0, 0}, {1, 1, 1}};
   const std::array<Point3, 3> at_corner{Point3{3, -1, 0.5}, Point3{-1, 3, 0.5}, Point3{3, 3, 0.5}};
-  EXPECT_TRUE(sight::may_meet(at_corner, box)) << "it touches the edge x = y = 1";
-  EXPECT_FALSE(sight::may_meet({Point3{3.1, -1, 0.2}, Point3{-1, 3.1, 0.4}, Point3{3, 3, 0.5}}, box));
-  EXPECT_FALSE(sight::may_meet({Point3{2, 0, 0}, Point3{2, 1, 0}, Point3{2, 0, 1}}, box));
+  EXPECT_TRUE(viewpoint::may_meet(at_corner, box)) << "it touches the edge x = y = 1";
+  EXPECT_FALSE(viewpoint::may_meet({Point3{3.1, -1, 0.2}, Point3{-1, 3.1, 0.4}, Point3{3, 3, 0.5}}, box));
+  EXPECT_FALSE(viewpoint::may_meet({Point3{2, 0, 0}, Point3{2, 1, 0}, Point3{2, 0, 1}}, box));
 }
 
 TEST(CommonPart, IsDecidedExactlyAndHasItsBoundary) {
   const BlockerSet blockers(
       std::vector<ConvexBlocker>{square(0, 0, 0), ConvexSolid::hull_of({{5, 0, 0}, {6, 0, 0}, {5, 1, 0}, {5, 0, 1}})});
   const auto common = [&](std::uint32_t blocker, const std::vector<Point3>& hull) {
-    return sight::have_common_point(blockers.content(), blocker, hull);
+    return viewpoint::have_common_point(blockers.content(), blocker, hull);
   };
   EXPECT_TRUE(common(0, {{1, 1, 0}}));
   EXPECT_FALSE(common(0, {{1 + 0x1p-52, 1, 0}}));

@@ -3,14 +3,14 @@
 #include <algorithm>
 
 #include "apps/proof/laws/draw.h"
-#include "apps/proof/laws/sight.h"
+#include "apps/proof/laws/visibility_definition.h"
 
 namespace gnomon::test_support {
 namespace {
 
 using laws::ExactPlane;
 using laws::ExactVector;
-using laws::SightCase;
+using laws::VisibilityCase;
 using laws::Walls;
 using Polygon = std::vector<ExactVector>;
 
@@ -48,7 +48,7 @@ ExactVector doubled_area(const Polygon& polygon) {
 }
 
 /// Blockers that have something before the plane.
-std::vector<Walls> walls_before(const SightCase& drawn, const ExactPlane& plane) {
+std::vector<Walls> walls_before(const VisibilityCase& drawn, const ExactPlane& plane) {
   std::vector<Walls> result;
   for (const ConvexBlocker& blocker : drawn.blockers) {
     const auto points = std::visit([](const auto& shape) { return shape.points(); }, blocker);
@@ -112,7 +112,7 @@ struct SharesOf {
 
 }  // namespace
 
-ExpectedReceived expected_received(const SightCase& drawn, const ReceiverPoint& receiver) {
+ExpectedReceived expected_received(const VisibilityCase& drawn, const ReceiverPoint& receiver) {
   const ExactPlane plane = plane_of(receiver);
   const Rational least(1, boost::multiprecision::mpz_int(1) << 1500);
   const Rational step(1, boost::multiprecision::mpz_int(1) << 4000);
@@ -137,7 +137,7 @@ ExpectedReceived expected_received(const SightCase& drawn, const ReceiverPoint& 
   return result;
 }
 
-ReceiverPoint draw_receiver(const SightCase& drawn) {
+ReceiverPoint draw_receiver(const VisibilityCase& drawn) {
   using laws::draw;
   std::vector<Point3> points = {drawn.point};
   for (const ConvexBlocker& blocker : drawn.blockers) {

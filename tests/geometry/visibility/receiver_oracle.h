@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/proof/laws/sight_cases.h"
+#include "apps/proof/laws/visibility_cases.h"
 #include "geometry/numbers/kernel.h"
 #include "geometry/visibility/receiver_front.h"
 #include "gnomon/names.h"
@@ -16,9 +16,9 @@ struct ExpectedReceived {
 
 /// The limit from the front, as the definition says it: what the point sees when it is moved along the normal by so
 /// little that no share of the light can tell (2^-4000 of the normal), of what of the light lies before the plane.
-ExpectedReceived expected_received(const laws::SightCase& drawn, const ReceiverPoint& receiver);
+ExpectedReceived expected_received(const laws::VisibilityCase& drawn, const ReceiverPoint& receiver);
 
 /// A normal or a facet for the point of a case: often at right angles to planes of the case, or in them.
-ReceiverPoint draw_receiver(const laws::SightCase& drawn);
+ReceiverPoint draw_receiver(const laws::VisibilityCase& drawn);
 
 }  // namespace gnomon::test_support

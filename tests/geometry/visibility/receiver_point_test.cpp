@@ -14,7 +14,7 @@ namespace {
 using laws::BlockerKind;
 using laws::Domain;
 using laws::LightKind;
-using laws::SightCase;
+using laws::VisibilityCase;
 using test_support::draw_receiver;
 using test_support::expected_received;
 using test_support::ExpectedReceived;
@@ -28,14 +28,14 @@ bool is_flat_light(const Light& light) {
   return !area || area->polygon.is_flat();
 }
 
-void log_receiver(const SightCase& drawn, const ReceiverPoint& receiver) {
+void log_receiver(const VisibilityCase& drawn, const ReceiverPoint& receiver) {
   const auto* facing = std::get_if<FacingNormal>(&receiver.front);
   const Point3 n = facing ? facing->normal : std::get<FacetFront>(receiver.front).corners[0];
   RC_LOG() << laws::description(drawn) << (facing ? "normal " : "facet from ") << n.x << ' ' << n.y << ' ' << n.z;
 }
 
 void check_receiver_exactly(Domain domain) {
-  const SightCase drawn = *laws::sight_cases(domain, {lights_of_receivers, blockers_of_receivers, 3});
+  const VisibilityCase drawn = *laws::visibility_cases(domain, {lights_of_receivers, blockers_of_receivers, 3});
   const ReceiverPoint receiver = draw_receiver(drawn);
   const ExpectedReceived want = expected_received(drawn, receiver);
   const Visibility got = exact_received(drawn.light, {drawn.blockers, {}}, receiver);
@@ -60,7 +60,7 @@ void check_receiver_levels(Domain domain) {
   int fast = 0;
   int asked = 0;
   EXPECT_TRUE(rc::check("levels agree", [&] {
-    const SightCase drawn = *laws::sight_cases(domain, {lights_of_receivers, blockers_of_receivers, 4});
+    const VisibilityCase drawn = *laws::visibility_cases(domain, {lights_of_receivers, blockers_of_receivers, 4});
     const ReceiverPoint receiver = draw_receiver(drawn);
     LightVisibility both(drawn.light, PreparedObstacles({drawn.blockers, {}}));
     const Visibility got = both.received(receiver);

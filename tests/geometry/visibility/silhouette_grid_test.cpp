@@ -9,7 +9,7 @@
 
 #include "tests/support/dice.h"
 
-namespace gnomon::sight {
+namespace gnomon::viewpoint {
 namespace {
 
 using test_support::Dice;
@@ -59,4 +59,4 @@ RC_GTEST_PROP(SilhouetteGridProperty, FindsEveryBoxThatMeetsAnotherOnceAndInOrde
 }
 
 }  // namespace
-}  // namespace gnomon::sight
+}  // namespace gnomon::viewpoint

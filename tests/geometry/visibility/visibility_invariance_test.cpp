@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "apps/proof/laws/draw.h"
-#include "apps/proof/laws/sight_cases.h"
+#include "apps/proof/laws/visibility_cases.h"
 #include "gnomon/visibility.h"
 
 namespace gnomon {
@@ -15,21 +15,21 @@ using laws::BlockerKind;
 using laws::Domain;
 using laws::draw;
 using laws::LightKind;
-using laws::SightCase;
+using laws::VisibilityCase;
 using Points = std::vector<Point3>;
 
-const laws::SightMix everything = {
+const laws::VisibilityMix everything = {
     {LightKind::point, LightKind::direction, LightKind::segment, LightKind::polygon, LightKind::rounded_polygon},
     {BlockerKind::polygon, BlockerKind::solid, BlockerKind::rounded_polygon},
     3};
 
-Visibility seen(const SightCase& drawn) {
+Visibility seen(const VisibilityCase& drawn) {
   return exact_visibility(drawn.light, {drawn.blockers, {}}, drawn.point);
 }
 
-SightCase draw_case() {
+VisibilityCase draw_case() {
   const Domain domain = laws::once_in(2) ? Domain::near_degenerate : Domain::random;
-  return *laws::sight_cases(domain, everything);
+  return *laws::visibility_cases(domain, everything);
 }
 
 /// The same vertices in the same order, each moved.
@@ -54,8 +54,8 @@ struct Winding {
 /// `move` acts on places, `turn` on directions. A mirror image of an area light is wound the other way, around the
 /// same first vertex.
 template <class Move, class Turn>
-SightCase mapped(const SightCase& drawn, Move move, Turn turn, Winding::Kind winding) {
-  SightCase result = drawn;
+VisibilityCase mapped(const VisibilityCase& drawn, Move move, Turn turn, Winding::Kind winding) {
+  VisibilityCase result = drawn;
   result.point = move(drawn.point);
   for (ConvexBlocker& blocker : result.blockers) blocker = mapped(blocker, move);
   if (auto* point = std::get_if<PointLight>(&result.light)) point->position = move(point->position);
@@ -71,14 +71,14 @@ SightCase mapped(const SightCase& drawn, Move move, Turn turn, Winding::Kind win
 }
 
 RC_GTEST_PROP(VisibilityInvariance, ScalingByAPowerOfTwoChangesNothing, ()) {
-  const SightCase drawn = draw_case();
+  const VisibilityCase drawn = draw_case();
   const double s = std::ldexp(1.0, draw(-200, 200));
   const auto scaled = [s](const Point3& p) { return Point3{s * p.x, s * p.y, s * p.z}; };
   RC_ASSERT(seen(mapped(drawn, scaled, scaled, Winding::kept)) == seen(drawn));
 }
 
 RC_GTEST_PROP(VisibilityInvariance, AnExactTranslationChangesNothing, ()) {
-  const SightCase drawn = *laws::sight_cases(Domain::random, everything);
+  const VisibilityCase drawn = *laws::visibility_cases(Domain::random, everything);
   const double s = std::ldexp(1.0, draw(0, 8));
   const Point3 step{s * draw(-3, 3), s * draw(-3, 3), s * draw(-3, 3)};
   bool exact = true;
@@ -88,13 +88,13 @@ RC_GTEST_PROP(VisibilityInvariance, AnExactTranslationChangesNothing, ()) {
     return q;
   };
   const auto same = [](const Point3& p) { return p; };
-  const SightCase moved = mapped(drawn, translated, same, Winding::kept);
+  const VisibilityCase moved = mapped(drawn, translated, same, Winding::kept);
   RC_PRE(exact);
   RC_ASSERT(seen(moved) == seen(drawn));
 }
 
 RC_GTEST_PROP(VisibilityInvariance, AMirrorImageSeesTheSame, ()) {
-  const SightCase drawn = draw_case();
+  const VisibilityCase drawn = draw_case();
   const int axis = draw(0, 2);
   const auto mirrored = [axis](Point3 p) {
     (axis == 0 ? p.x : axis == 1 ? p.y : p.z) *= -1;
@@ -104,7 +104,7 @@ RC_GTEST_PROP(VisibilityInvariance, AMirrorImageSeesTheSame, ()) {
 }
 
 RC_GTEST_PROP(VisibilityInvariance, TheStartAndSenseOfABlockersVerticesAndOfAFlatLightsStartDoNotMatter, ()) {
-  SightCase drawn = draw_case();
+  VisibilityCase drawn = draw_case();
   const Visibility before = seen(drawn);
   const auto rotated = [](std::span<const Point3> given) {
     Points points(given.begin(), given.end());
@@ -127,7 +127,7 @@ RC_GTEST_PROP(VisibilityInvariance, TheStartAndSenseOfABlockersVerticesAndOfAFla
 }
 
 RC_GTEST_PROP(VisibilityInvariance, TheOrderOfBlockersAndRepeatingThemDoNotMatter, ()) {
-  SightCase drawn = draw_case();
+  VisibilityCase drawn = draw_case();
   const Visibility before = seen(drawn);
   std::ranges::reverse(drawn.blockers);
   if (laws::once_in(2)) drawn.blockers.push_back(drawn.blockers.front());
@@ -135,7 +135,7 @@ RC_GTEST_PROP(VisibilityInvariance, TheOrderOfBlockersAndRepeatingThemDoNotMatte
 }
 
 RC_GTEST_PROP(VisibilityInvariance, ATwoSidedLightIsAsVisibleAsItsOneSideIfThatIsTurnedToThePoint, ()) {
-  SightCase drawn = *laws::sight_cases(Domain::random, {{LightKind::polygon}, everything.blockers, 2});
+  VisibilityCase drawn = *laws::visibility_cases(Domain::random, {{LightKind::polygon}, everything.blockers, 2});
   auto& light = std::get<AreaLight>(drawn.light);
   light.two_sided = false;
   const Visibility one_sided = seen(drawn);

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "apps/proof/laws/sight_cases.h"
+#include "apps/proof/laws/visibility_cases.h"
 #include "tests/geometry/visibility/definition_check.h"
 
 namespace gnomon {
@@ -12,9 +12,9 @@ namespace {
 using laws::BlockerKind;
 using laws::Domain;
 using laws::LightKind;
-using laws::SightCase;
+using laws::VisibilityCase;
 
-void check_against_definition(const SightCase& drawn) {
+void check_against_definition(const VisibilityCase& drawn) {
   const Visibility got = exact_visibility(drawn.light, {drawn.blockers, {}}, drawn.point);
   RC_TAG(std::string(name(got.region)));
   if (const auto difference = disagreement(drawn, got)) RC_FAIL(*difference + "\n" + description(drawn));
@@ -29,8 +29,8 @@ struct Kinds {
 class VisibilityAgreement : public testing::TestWithParam<Kinds> {
  protected:
   void run(Domain domain) const {
-    const laws::SightMix mix{{GetParam().light}, {GetParam().blocker}, 2};
-    EXPECT_TRUE(rc::check([&] { check_against_definition(*laws::sight_cases(domain, mix).as("case")); }));
+    const laws::VisibilityMix mix{{GetParam().light}, {GetParam().blocker}, 2};
+    EXPECT_TRUE(rc::check([&] { check_against_definition(*laws::visibility_cases(domain, mix).as("case")); }));
   }
 };
 

@@ -7,8 +7,8 @@
 #include <algorithm>
 
 #include "apps/proof/laws/draw.h"
-#include "apps/proof/laws/sight.h"
-#include "apps/proof/laws/sight_cases.h"
+#include "apps/proof/laws/visibility_cases.h"
+#include "apps/proof/laws/visibility_definition.h"
 
 namespace gnomon {
 namespace {
@@ -17,17 +17,17 @@ using laws::BlockerKind;
 using laws::Domain;
 using laws::draw;
 using laws::LightKind;
-using laws::SightCase;
+using laws::VisibilityCase;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-VisiblePart part_of(const SightCase& drawn) {
+VisiblePart part_of(const VisibilityCase& drawn) {
   std::vector<std::vector<HidingCondition>> hidden;
   for (const ConvexBlocker& blocker : drawn.blockers) hidden.push_back(hiding_conditions(blocker, exact(drawn.point)));
   return visible_part(drawn.light, hidden, exact(drawn.point));
 }
 
-bool is_hidden(const SightCase& drawn, const laws::ExactVector& l) {
+bool is_hidden(const VisibilityCase& drawn, const laws::ExactVector& l) {
   return std::any_of(drawn.blockers.begin(), drawn.blockers.end(), [&](const ConvexBlocker& blocker) {
     return laws::is_blocked(laws::walls(blocker), laws::exact(drawn.point), l);
   });
@@ -63,8 +63,8 @@ int side_of(const ExactPolygon& polygon, const ExactVector& l) {
   return result;
 }
 
-void check_pieces(const SightCase& drawn) {
-  for (const SeenFacet& seen : part_of(drawn).facets) {
+void check_pieces(const VisibilityCase& drawn) {
+  for (const VisibleFacet& seen : part_of(drawn).facets) {
     for (const ExactPolygon& piece : seen.visible) {
       RC_ASSERT(dot(doubled_area(piece), doubled_area(seen.facet)) > 0);
       RC_ASSERT(!is_hidden(drawn, in_laws(draw_inside(piece))));
@@ -84,12 +84,12 @@ const std::vector<BlockerKind> every_blocker = {BlockerKind::polygon, BlockerKin
 
 RC_GTEST_PROP(VisiblePartProperty, PiecesOfAnAreaLightAreDisjointAndHoldWhatIsNotHidden, ()) {
   const Domain domain = laws::once_in(2) ? Domain::near_degenerate : Domain::random;
-  check_pieces(*laws::sight_cases(domain, {{LightKind::polygon, LightKind::rounded_polygon}, every_blocker, 4}));
+  check_pieces(*laws::visibility_cases(domain, {{LightKind::polygon, LightKind::rounded_polygon}, every_blocker, 4}));
 }
 
 RC_GTEST_PROP(VisiblePartProperty, IntervalsOfALinearLightAreDisjointAndHoldWhatIsNotHidden, ()) {
   const Domain domain = laws::once_in(2) ? Domain::near_degenerate : Domain::random;
-  const SightCase drawn = *laws::sight_cases(domain, {{LightKind::segment}, every_blocker, 4});
+  const VisibilityCase drawn = *laws::visibility_cases(domain, {{LightKind::segment}, every_blocker, 4});
   const auto& light = std::get<LinearLight>(drawn.light);
   const laws::ExactVector start = laws::exact(light.start), step = laws::exact(light.end) - start;
   Rational last = 0;

@@ -169,7 +169,7 @@ void expect_inside(const Interval& exact, const Irradiance& got, int round) {
   ASSERT_LE(upper(exact) - lower(exact), 1e-40);
 }
 
-View drawn_sight(Dice& dice, const Point3& towards) {
+View drawn_visibility(Dice& dice, const Point3& towards) {
   View view{{0, 0, 0}, added(drawn_vector(dice), 1, towards), {}};
   view.to_eye = dice.once_in(3) ? drawn_vector(dice) : added(mirrored(towards, view.normal), 0.4, drawn_vector(dice));
   return view;
@@ -180,7 +180,7 @@ TEST(ReflectionIntervals, HoldWhatIsReflectedOfLines) {
   int compared = 0;
   for (int round = 0; compared < (GNOMON_LONG ? 10000 : 500); ++round) {
     const LinearLight light{added({0, 0, 2}, 1.5, drawn_vector(dice)), added({0, 0, 2}, 1.5, drawn_vector(dice))};
-    const View view = drawn_sight(dice, light.start);
+    const View view = drawn_visibility(dice, light.start);
     const int n = dice.draw(1, 40);
     if (product(view.normal, view.to_eye) <= 0) continue;
     const Corners ends = {direction_of(light.start), direction_of(light.end)};
@@ -201,7 +201,7 @@ TEST(ReflectionIntervals, HoldWhatIsReflectedOfPolygons) {
   for (int round = 0; compared < (GNOMON_LONG ? 10000 : 500); ++round) {
     std::vector<Point3> corners;
     for (int k = 0; k < 3; ++k) corners.push_back(added({0, 0, 2}, 1.5, drawn_vector(dice)));
-    const View view = drawn_sight(dice, corners[0]);
+    const View view = drawn_visibility(dice, corners[0]);
     const int n = dice.draw(1, 30);
     if (product(view.normal, view.to_eye) <= 0 || ConvexPolygon::defect(corners)) continue;
     Corners seen;

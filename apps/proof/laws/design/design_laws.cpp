@@ -7,8 +7,8 @@
 #include "apps/proof/laws/law_entry.h"
 #include "apps/proof/laws/law_lists.h"
 #include "apps/proof/laws/point_text.h"
-#include "apps/proof/laws/sight.h"
-#include "apps/proof/laws/sight_cases.h"
+#include "apps/proof/laws/visibility_cases.h"
+#include "apps/proof/laws/visibility_definition.h"
 #include "geometry/bodies/body.h"
 
 namespace gnomon::laws {
@@ -22,7 +22,7 @@ DesignObstacles obstacles_of(const std::vector<ConvexBlocker>& blockers) {
 }
 
 /// The case as a design of one goal, in which the variable's value is that of the light or blocker as drawn.
-Design design_of(const SightCase& drawn, FreeVariable variable, Want want) {
+Design design_of(const VisibilityCase& drawn, FreeVariable variable, Want want) {
   Design design;
   design.variable = variable;
   design.light = drawn.light;
@@ -37,7 +37,7 @@ Design design_of(const SightCase& drawn, FreeVariable variable, Want want) {
   return design;
 }
 
-Point3 value_as_drawn(const SightCase& drawn, FreeVariable variable) {
+Point3 value_as_drawn(const VisibilityCase& drawn, FreeVariable variable) {
   if (variable == FreeVariable::position) return std::get<PointLight>(drawn.light).position;
   if (variable == FreeVariable::scale) return {1, 0, 0};
   if (variable != FreeVariable::direction) return {0, 0, 0};
@@ -46,7 +46,7 @@ Point3 value_as_drawn(const SightCase& drawn, FreeVariable variable) {
 }
 
 /// A wall seen edge-on hides nothing that has a measure; such shifts have no neighbours that are as good.
-bool is_edge_on(const SightCase& drawn) {
+bool is_edge_on(const VisibilityCase& drawn) {
   for (const ConvexBlocker& blocker : drawn.blockers) {
     for (const ExactPlane& wall : walls(blocker)) {
       if (blocker.index() == 0 && wall.side(exact(drawn.point)) == 0) return true;
@@ -57,7 +57,7 @@ bool is_edge_on(const SightCase& drawn) {
 
 /// The design says of the light as it stands what the definition says.
 template <FreeVariable variable>
-Verdict check_place(const SightCase& drawn, const Subject& subject) {
+Verdict check_place(const VisibilityCase& drawn, const Subject& subject) {
   if (variable == FreeVariable::blocker && is_edge_on(drawn)) return premise_fails();
   std::vector<Walls> blockers;
   for (const ConvexBlocker& blocker : drawn.blockers) {
@@ -79,24 +79,24 @@ Verdict check_place(const SightCase& drawn, const Subject& subject) {
   return is_any_decided ? Verdict{} : premise_fails();
 }
 
-rc::Gen<SightCase> cases_of(Domain domain, std::vector<LightKind> lights, int most_blockers) {
-  return sight_cases(
+rc::Gen<VisibilityCase> cases_of(Domain domain, std::vector<LightKind> lights, int most_blockers) {
+  return visibility_cases(
       domain, {std::move(lights), {BlockerKind::polygon, BlockerKind::polygon, BlockerKind::solid}, most_blockers});
 }
 
-rc::Gen<SightCase> point_cases(Domain domain) {
+rc::Gen<VisibilityCase> point_cases(Domain domain) {
   return cases_of(domain, {LightKind::point}, 3);
 }
-rc::Gen<SightCase> direction_cases(Domain domain) {
+rc::Gen<VisibilityCase> direction_cases(Domain domain) {
   return cases_of(domain, {LightKind::direction}, 3);
 }
-rc::Gen<SightCase> single_cases(Domain domain) {
+rc::Gen<VisibilityCase> single_cases(Domain domain) {
   return cases_of(domain, {LightKind::segment, LightKind::polygon}, 1);
 }
-rc::Gen<SightCase> joint_cases(Domain domain) {
+rc::Gen<VisibilityCase> joint_cases(Domain domain) {
   return cases_of(domain, {LightKind::segment, LightKind::polygon}, 2);
 }
-rc::Gen<SightCase> any_light_cases(Domain domain) {
+rc::Gen<VisibilityCase> any_light_cases(Domain domain) {
   return cases_of(domain, {LightKind::point, LightKind::direction, LightKind::segment, LightKind::polygon}, 1);
 }
 

@@ -3,7 +3,7 @@
 #include "apps/proof/laws/cone.h"
 #include "apps/proof/laws/definition.h"
 #include "apps/proof/laws/enumeration.h"
-#include "apps/proof/laws/sight.h"
+#include "apps/proof/laws/visibility_definition.h"
 #include "gnomon/errors.h"
 
 namespace gnomon::laws {

@@ -4,9 +4,9 @@
 #include <map>
 #include <string>
 
-#include "apps/proof/report/embree_sight.h"
-#include "apps/proof/report/plain_sight.h"
-#include "apps/proof/report/polygon_set_sight.h"
+#include "apps/proof/report/embree_visibility.h"
+#include "apps/proof/report/plain_visibility.h"
+#include "apps/proof/report/polygon_set_visibility.h"
 #include "apps/proof/report/reflection_peers.h"
 #include "apps/proof/report/shapes.h"
 #include "apps/proof/report/triangle_scenes.h"
@@ -24,20 +24,20 @@ class Peers : public testing::TestWithParam<std::size_t> {};
 TEST_P(Peers, FindWhatIsTrueOfRandomTriangles) {
   TriangleScene scene = triangle_scene(GetParam());
   scene.points.resize(12);
-  PlainSight plain(scene.light, scene.blockers);
-  EmbreeSight embree(scene.light, scene.blockers);
+  PlainVisibility plain(scene.light, scene.blockers);
+  EmbreeVisibility embree(scene.light, scene.blockers);
   embree.place(Placing::regular, 64);
   for (const Point3& p : scene.points) {
-    const SightTruth truth = sight_truth(scene.light, {scene.blockers, {}}, p, up, 128);
-    const SightAnswer doubles = plain.seen_from(p, up);
+    const VisibilityTruth truth = visibility_truth(scene.light, {scene.blockers, {}}, p, up, 128);
+    const VisibilityAnswer doubles = plain.visible_from(p, up);
     EXPECT_EQ(doubles.region, truth.region);
     EXPECT_NEAR(doubles.fraction, truth.fraction.low, 1e-12);
     EXPECT_NEAR(doubles.irradiance, truth.irradiance.low, 1e-12);
-    const SightAnswer set = polygon_set_sight(scene.light, scene.blockers, p, up);
+    const VisibilityAnswer set = polygon_set_visibility(scene.light, scene.blockers, p, up);
     EXPECT_EQ(set.region, truth.region);
     EXPECT_NEAR(set.fraction, truth.fraction.low, 1e-15);
     EXPECT_NEAR(set.irradiance, truth.irradiance.low, 1e-12);
-    const SightAnswer rays = embree.seen_from(p, up);
+    const VisibilityAnswer rays = embree.visible_from(p, up);
     EXPECT_NEAR(rays.fraction, truth.fraction.low, 0.05);
     EXPECT_NEAR(rays.irradiance, truth.irradiance.low, 0.005);
   }
@@ -45,29 +45,29 @@ TEST_P(Peers, FindWhatIsTrueOfRandomTriangles) {
 
 INSTANTIATE_TEST_SUITE_P(Triangles, Peers, testing::Values(1, 4, 16));
 
-TEST(PlainSight, SeesASolidAndABlockerAcrossTheLightAsTheDefinitionDoes) {
+TEST(PlainVisibility, SeesASolidAndABlockerAcrossTheLightAsTheDefinitionDoes) {
   const AreaLight lamp = square_light(1, 4);
   const std::vector<ConvexBlocker> blockers = {ConvexSolid::hull_of(turned_cube({0.5, 0.25, 1.75}, 0.7)),
                                                blade(0, -0.5, 0.5, 3, 5)};
-  PlainSight plain(lamp, blockers);
+  PlainVisibility plain(lamp, blockers);
   for (const Point3& p :
        {Point3{2, 1, 0}, Point3{-3, 0.5, -1}, Point3{0.25, 0.1, -2}, Point3{9, 9, 0}, Point3{0, 0, 5}}) {
-    const SightTruth truth = sight_truth(lamp, {blockers, {}}, p, up, 128);
-    const SightAnswer doubles = plain.seen_from(p, up);
+    const VisibilityTruth truth = visibility_truth(lamp, {blockers, {}}, p, up, 128);
+    const VisibilityAnswer doubles = plain.visible_from(p, up);
     EXPECT_EQ(doubles.region, truth.region);
     EXPECT_NEAR(doubles.fraction, truth.fraction.low, 1e-12);
   }
 }
 
-TEST(EmbreeSight, PlacesTheSamePointsForTheSameSeed) {
+TEST(EmbreeVisibility, PlacesTheSamePointsForTheSameSeed) {
   const TriangleScene scene = triangle_scene(16);
-  EmbreeSight embree(scene.light, scene.blockers);
+  EmbreeVisibility embree(scene.light, scene.blockers);
   for (const Placing placing : {Placing::regular, Placing::jittered, Placing::stratified}) {
     embree.place(placing, 8);
-    const double first = embree.seen_from(scene.points[0], up).irradiance;
-    const double next = embree.seen_from(scene.points[0], up).irradiance;
+    const double first = embree.visible_from(scene.points[0], up).irradiance;
+    const double next = embree.visible_from(scene.points[0], up).irradiance;
     embree.place(placing, 8);
-    EXPECT_EQ(embree.seen_from(scene.points[0], up).irradiance, first);
+    EXPECT_EQ(embree.visible_from(scene.points[0], up).irradiance, first);
     EXPECT_EQ(next == first, placing != Placing::stratified);
   }
 }
