@@ -16,6 +16,7 @@
 #include "apps/gnomon/output_place.h"
 #include "apps/gnomon/receiver_rows.h"
 #include "apps/gnomon/scene_input.h"
+#include "apps/gnomon/started_processes.h"
 #include "apps/gnomon/text.h"
 #include "apps/gnomon/view_surfaces.h"
 #include "geometry/parallel.h"
@@ -93,6 +94,7 @@ IlluminationEffort effort_of(const IlluminateOptions& options) {
   }
   effort.split = split->second;
   effort.threads = thread_count(options.threads);
+  effort.processes = started_processes();
   return effort;
 }
 
@@ -197,6 +199,7 @@ ExitCode write_all(const IlluminateOptions& options, const Scene& scene, Illumin
     if (of > 1) progress.set_share(static_cast<double>(done) / static_cast<double>(of));
   };
   const Illumination found = illuminate(lights, bodies.obstacles, subjects.pieces, effort);
+  if (!is_first_process()) return ExitCode::done;
   IlluminationResult result = result_of(scene, subjects, groups, found, effort.order);
   std::vector<std::filesystem::path> files;
   if (!options.out.empty()) {

@@ -20,9 +20,12 @@
 #include "apps/gnomon/receiver_rows.h"
 #include "apps/gnomon/scene_input.h"
 #include "apps/gnomon/sensor_files.h"
+#include "apps/gnomon/started_processes.h"
 #include "apps/gnomon/text.h"
-#include "geometry/parallel.h"
 #include "apps/gnomon/viewed_surface.h"
+#include "geometry/bodies/body.h"
+#include "geometry/parallel.h"
+#include "geometry/shared_work.h"
 #include "gnomon/irradiance.h"
 #include "gnomon/scene.h"
 #include "gnomon/visibility.h"
@@ -121,12 +124,38 @@ void light_up(LitRow& lit, const RowSource& receivers, Question& question, std::
   lit.eye = question.eye;
 }
 
+/// The rows of a batch, of which each process works out its own.
 std::vector<LitRow> lit_rows(const RowSource& receivers, std::vector<TableRow> batch, Question& question) {
+  const Processes& processes = started_processes();
   std::vector<LitRow> rows;
   for (TableRow& row : batch) rows.push_back({std::move(row), {}, {}});
-  for_all(rows.size(), static_cast<unsigned>(question.lights.size()),
-          [&](std::size_t i, std::size_t worker) { light_up(rows[i], receivers, question, worker); });
+  std::vector<std::vector<char>> packed(rows.size());
+  share_results<char>(processes, packed, [&] {
+    for_all(rows.size(), static_cast<unsigned>(question.lights.size()), [&](std::size_t i, std::size_t worker) {
+      if (!processes.is_mine(i)) return;
+      light_up(rows[i], receivers, question, worker);
+      if (processes.count > 1) packed[i] = packed_results(rows[i]);
+    });
+  });
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (!processes.is_mine(i)) unpack_results(packed[i], rows[i]);
+  }
   return rows;
+}
+
+/// All that may differ between scenes that were taken for one.
+std::vector<Point3> points_of(const SpaceScene& scene, const Obstacles& obstacles) {
+  std::vector<Point3> all;
+  const auto add = [&](const auto& points) { all.insert(all.end(), points.begin(), points.end()); };
+  for (const ConvexBlocker& blocker : obstacles.blockers) {
+    std::visit([&](const auto& shape) { add(shape.points()); }, blocker);
+  }
+  for (const SceneReceiver& receiver : scene.receivers) add(receiver.shape.points());
+  for (const SceneLight& light : scene.lights) {
+    add(light_points(light.shape));
+    all.push_back({light.strength, 0, 0});
+  }
+  return all;
 }
 
 /// Where the results go: any of a CSV file or stdout, and a JSON file or stdout.
@@ -186,6 +215,7 @@ Question question_of(const IrradianceOptions& options, const SpaceScene& scene, 
 
 ExitCode write_irradiance(const IrradianceOptions& options, const SpaceScene& scene, const PreparedObstacles& obstacles,
                           const RowSource& receivers) {
+  require_same_points(started_processes(), points_of(scene, obstacles.obstacles()));
   Question question = question_of(options, scene, obstacles);
   const std::vector<std::string> names = names_of(question.groups);
   IrradianceOutputs outputs(options, scene, receivers.header, names, question);
@@ -266,6 +296,10 @@ ExitCode irradiance_command(Arguments arguments) {
   require_table_places(options.out, options.json, {options.scene, options.at});
   require_sensor_places(options.files, {options.scene, options.at}, {options.out, options.json});
   if (options.out == "-") options.out.clear();
+  if (options.at == "-" && started_processes().count > 1) {
+    throw UsageError("--at -: of several processes only the first could read it; expected a file");
+  }
+  if (!is_first_process()) options.out = options.json = options.files.sensors = options.files.values = "";
   if (options.at.empty() == options.on.empty()) throw UsageError("expected either --at POINTS.csv or --on RECEIVER");
   if (options.on.empty() && !options.shape.empty()) throw UsageError("--shape nu,nv goes with --on RECEIVER");
   if (options.eye.empty() && !options.material.empty()) throw UsageError("--material NAME goes with --eye x,y,z");

@@ -1,10 +1,12 @@
 #include "apps/gnomon/irradiance_output.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "apps/gnomon/text.h"
 #include "geometry/numbers/printed_bound.h"
+#include "geometry/shared_work.h"
 
 namespace gnomon {
 namespace {
@@ -64,6 +66,23 @@ TextRow summary_row(const std::string& name, const IrradianceSummary& summary) {
 }
 
 }  // namespace
+
+std::vector<char> packed_results(const LitRow& lit) {
+  std::string bytes;
+  append_bytes(bytes, lit.received);
+  append_bytes(bytes, lit.reflected.lights);
+  append_bytes(bytes, std::vector<RadianceRgb>{lit.reflected.ambient});
+  append_bytes(bytes, std::vector<double>(lit.eye.begin(), lit.eye.end()));
+  return {bytes.begin(), bytes.end()};
+}
+
+void unpack_results(std::span<const char> bytes, LitRow& lit) {
+  std::string_view left(bytes.data(), bytes.size());
+  lit.received = take_values<Irradiance>(left);
+  lit.reflected.lights = take_values<RadianceRgb>(left);
+  lit.reflected.ambient = take_values<RadianceRgb>(left).at(0);
+  std::ranges::copy(take_values<double>(left), lit.eye.begin());
+}
 
 void IrradianceSummaries::add(const LitRow& lit) {
   if (!std::holds_alternative<PointRow>(lit.row)) return;

@@ -24,6 +24,10 @@ struct LitRow {
   std::array<double, 3> eye{};
 };
 
+/// What was worked out of a row, as bytes for other processes; and the same back again.
+std::vector<char> packed_results(const LitRow& lit);
+void unpack_results(std::span<const char> bytes, LitRow& lit);
+
 /// How the table is laid out. By default it has a row for each point and light.
 struct IrradianceLayout {
   bool wide = false;  ///< a row for each point, with two columns for each light

@@ -12,6 +12,7 @@
 
 #include "apps/gnomon/command_line.h"
 #include "apps/gnomon/console.h"
+#include "apps/gnomon/started_processes.h"
 #include "apps/gnomon/text.h"
 #include "apps/gnomon/untimely_end.h"
 #include "gnomon/errors.h"
@@ -61,6 +62,15 @@ void print_help(std::ostream& stream, const ProgramText& program) {
                        std::string(program.examples));
 }
 
+/// The names of the commands that several processes may share.
+std::string work_sharers(const ProgramText& program) {
+  std::string names;
+  for (const Command& command : program.commands) {
+    if (command.shares_work) names += (names.empty() ? "" : ", ") + std::string(command.name);
+  }
+  return names.empty() ? "one process" : "one process, or one of the commands " + names;
+}
+
 ExitCode refuse(const ProgramText& program, const std::string& word) {
   if (word.starts_with("-")) throw UsageError("unknown option '" + word + "' in place of a command");
   const std::vector<std::string_view> names = command_names(program);
@@ -70,6 +80,7 @@ ExitCode refuse(const ProgramText& program, const std::string& word) {
 }
 
 ExitCode run(const ProgramText& program, Arguments words) {
+  const std::uint32_t processes = started_processes().count;
   if (words.empty()) {
     print_help(std::cerr, program);
     return ExitCode::usage;
@@ -84,7 +95,12 @@ ExitCode run(const ProgramText& program, Arguments words) {
     return ExitCode::done;
   }
   const Command* command = command_called(program, first);
-  return command == nullptr ? refuse(program, first) : command->run(words.subspan(1));
+  if (command == nullptr) return refuse(program, first);
+  if (!command->shares_work && processes > 1) {
+    throw UsageError("mpirun started " + std::to_string(processes) + " processes, but '" + first +
+                     "' runs in one; expected " + work_sharers(program));
+  }
+  return command->run(words.subspan(1));
 }
 
 /// A system that has no room for another thread says so in words that help nobody.
@@ -138,7 +154,7 @@ int run_program(const ProgramText& program, int argc, char** argv) {
   } catch (const std::exception& error) {
     code = fail(ExitCode::failure, error.what());
   }
-  return static_cast<int>(code);
+  return static_cast<int>(end_processes(code));
 }
 
 }  // namespace gnomon

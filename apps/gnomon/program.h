@@ -11,6 +11,7 @@ struct Command {
   std::string_view name;
   std::string_view does;
   ExitCode (*run)(Arguments);
+  bool shares_work = false;  ///< among the processes that mpirun starts
 };
 
 /// A program of several commands, as its help describes it.

@@ -12,6 +12,7 @@
 #include "apps/gnomon/output_file.h"
 #include "apps/gnomon/output_place.h"
 #include "apps/gnomon/scene_input.h"
+#include "apps/gnomon/started_processes.h"
 #include "apps/gnomon/text.h"
 #include "apps/gnomon/view_factor_output.h"
 #include "apps/gnomon/view_surfaces.h"
@@ -133,6 +134,7 @@ ViewFactors worked_out(const ViewFactorOptions& options, const ViewSurfaces& sur
   effort.threads = thread_count(options.threads);
   effort.from = from;
   effort.twice = options.twice;
+  effort.processes = started_processes();
   effort.progress = [&](std::size_t, std::size_t) { progress.step(); };
   return view_factors(surfaces.shapes, obstacles, effort);
 }
@@ -195,7 +197,8 @@ ExitCode view_factors_command(Arguments arguments) {
   const std::optional<std::uint32_t> from = number_of(options.from, surfaces);
   require_range(*space, surfaces, bodies.obstacles);
   tell_size(options.npy, surfaces.names.size());
-  write_all(options, scene, surfaces, worked_out(options, surfaces, bodies.obstacles, from), from);
+  ViewFactors factors = worked_out(options, surfaces, bodies.obstacles, from);
+  if (is_first_process()) write_all(options, scene, surfaces, std::move(factors), from);
   return ExitCode::done;
 }
 

@@ -31,6 +31,7 @@
 #include "gnomon/pair.h"
 #include "gnomon/picture.h"
 #include "gnomon/point.h"
+#include "gnomon/processes.h"
 #include "gnomon/receiver_mesh.h"
 #include "gnomon/reflection.h"
 #include "gnomon/result.h"

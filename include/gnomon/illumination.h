@@ -26,6 +26,7 @@
 #include "gnomon/irradiance.h"
 #include "gnomon/light.h"
 #include "gnomon/point.h"
+#include "gnomon/processes.h"
 #include "gnomon/visibility.h"
 
 namespace gnomon {
@@ -51,6 +52,7 @@ struct IlluminationEffort {
   std::size_t most_faces = 1000000;  ///< of one receiver, about: those whose error times area is largest go first
   LengthUnit unit = {"m", 1, 1};     ///< of all coordinates
   unsigned threads = 1;
+  Processes processes = {};  ///< that share the work
   /// Told how many receivers are done, of how many, and how many faces there are so far; called by one thread.
   std::function<void(std::size_t done, std::size_t of, std::size_t faces)> progress = {};
 };
@@ -129,7 +131,7 @@ struct Illumination {
 /// Requires:   no refusal (range_refusal, division_refusal) of lights, receivers and blockers; a positive tolerance.
 /// Exactness:  irradiance of points has a bound. Errors of faces are estimates: 1.2 (order 2: 1.4) times the largest
 ///             difference seen, and the bounds at the corners. Cuts are rounded to doubles. The result does not depend
-///             on the number of threads.
+///             on the number of threads and of processes.
 /// Throws:     PreconditionError.
 /// After:      [CF91] §3, §4.
 Illumination illuminate(std::span<const IlluminationLight> lights, const Obstacles& obstacles,

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "gnomon/convex_polygon.h"
+#include "gnomon/processes.h"
 #include "gnomon/visibility.h"
 
 namespace gnomon {
@@ -56,6 +57,7 @@ struct ViewFactorEffort {
   unsigned threads = 1;
   std::optional<std::uint32_t> from = {};  ///< only factors from this surface
   bool twice = false;                      ///< both of A_i F_ij and A_j F_ji, each by itself
+  Processes processes = {};                ///< that share the work
   std::function<void(std::size_t done, std::size_t of)> progress = {};  ///< called by any thread
 };
 
@@ -68,7 +70,7 @@ struct ViewFactorEffort {
 ///             Gauss's rule in triangles, of irradiance that is exact but for roundings; the difference of two rules is
 ///             the estimate of its error.
 /// Requires:   no refusal by range (range_refusal) of a surface or blocker; `bound` is positive.
-/// Exactness:  the result does not depend on the number of threads.
+/// Exactness:  the result does not depend on the number of threads and of processes.
 /// Throws:     PreconditionError.
 ViewFactors view_factors(std::span<const ViewSurface> surfaces, const Obstacles& obstacles,
                          const ViewFactorEffort& effort);

@@ -6,13 +6,16 @@
 #include <optional>
 #include <utility>
 
+#include "geometry/bodies/body.h"
 #include "geometry/numbers/vector3.h"
 #include "geometry/parallel.h"
+#include "geometry/shared_work.h"
 #include "gnomon/errors.h"
 #include "gnomon/receiver_mesh.h"
 #include "shading/illumination/brightest_place.h"
 #include "shading/illumination/coplanar_receivers.h"
 #include "shading/illumination/outlines.h"
+#include "shading/illumination/packed_meshes.h"
 #include "shading/illumination/refinement.h"
 #include "shading/illumination/touching_places.h"
 
@@ -120,44 +123,94 @@ class Illuminating {
         receivers_(receivers),
         effort_(effort),
         lights_(lights, obstacles, receivers, effort.unit, effort.threads),
-        facts_(receivers.size()) {}
+        groups_(illumination::coplanar_groups(receivers)),
+        facts_(receivers.size()) {
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      if (effort.processes.is_mine(g)) own_.insert(own_.end(), groups_[g].begin(), groups_[g].end());
+    }
+    std::ranges::sort(own_);
+  }
 
   Illumination made() {
-    divide();
+    require_same_points(effort_.processes, all_points());
     result_.meshes.resize(receivers_.size());
     for (IlluminationMesh& mesh : result_.meshes) mesh.order = effort_.order;
-    ask_probes();
+    share_largest([&] {
+      divide();
+      ask_probes();
+    });
+    share_largest([&] { seek_brightest(); });
     result_.tolerance = effort_.is_relative ? effort_.tolerance * result_.largest : effort_.tolerance;
-    for (const std::vector<std::uint32_t>& group : illumination::coplanar_groups(receivers_)) {
-      mesh_group(group);
-      done_ += group.size();
-      tell_faces(0);
-    }
-    result_.evaluations = lights_.evaluations();
+    share_meshes();
     return std::move(result_);
   }
 
  private:
+  std::vector<Point3> all_points() const {
+    std::vector<Point3> all;
+    const auto add = [&](const auto& shape) { all.insert(all.end(), shape.points().begin(), shape.points().end()); };
+    for (const ConvexPolygon& receiver : receivers_) add(receiver);
+    for (const ConvexBlocker& blocker : obstacles_.blockers) std::visit(add, blocker);
+    for (const IlluminationLight& light : sources_) {
+      for (const Light& part : light.parts) {
+        const std::vector<Point3> points = light_points(part);
+        all.insert(all.end(), points.begin(), points.end());
+      }
+    }
+    return all;
+  }
+
+  /// Does this process's work, and lets all know the largest irradiance that any has found.
+  void share_largest(const std::function<void()>& work) {
+    std::vector<std::vector<double>> largest(effort_.processes.count);
+    share_results<double>(effort_.processes, largest, [&] {
+      work();
+      largest[effort_.processes.number] = {result_.largest};
+    });
+    for (const std::vector<double>& one : largest) result_.largest = std::max(result_.largest, one.front());
+  }
+
+  /// Makes the meshes of this process's groups, and gets those of the others.
+  void share_meshes() {
+    std::vector<std::vector<char>> packed(groups_.size());
+    std::vector<std::vector<std::size_t>> evaluations(effort_.processes.count);
+    share_results<char>(effort_.processes, packed, [&] {
+      for (std::size_t g = 0; g < groups_.size(); ++g) {
+        if (!effort_.processes.is_mine(g)) continue;
+        mesh_group(groups_[g]);
+        done_ += groups_[g].size();
+        tell_faces(0);
+        if (effort_.processes.count > 1) packed[g] = illumination::packed(result_.meshes, groups_[g]);
+      }
+    });
+    share_results<std::size_t>(effort_.processes, evaluations,
+                               [&] { evaluations[effort_.processes.number] = {lights_.evaluations()}; });
+    for (const std::vector<std::size_t>& one : evaluations) result_.evaluations += one.front();
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      if (!effort_.processes.is_mine(g)) illumination::unpack(packed[g], groups_[g], result_.meshes);
+    }
+  }
+
   void divide() {
     std::vector<Light> parts;
     for (const IlluminationLight& light : sources_) parts.insert(parts.end(), light.parts.begin(), light.parts.end());
     const std::vector<Body> bodies = illumination::touching_bodies(parts, obstacles_.blockers);
-    for_all(receivers_.size(), effort_.threads, [&](std::size_t r, std::size_t) {
-      facts_[r].touching = illumination::touching_places(bodies, receivers_[r]);
+    std::vector<ConvexPolygon> own;
+    for (const std::uint32_t r : own_) own.push_back(receivers_[r]);
+    for_all(own_.size(), effort_.threads, [&](std::size_t i, std::size_t) {
+      facts_[own_[i]].touching = illumination::touching_places(bodies, own[i]);
     });
-    for (const IlluminationLight& light : sources_) {
-      for (const Light& part : light.parts) {
-        const ReceiverDivision division(part, obstacles_.blockers, receivers_, effort_.threads, obstacles_.enclosures);
-        for_all(receivers_.size(), effort_.threads, [&](std::size_t r, std::size_t) {
-          append(facts_[r].traces, illumination::traces_of(division.mesh(static_cast<std::uint32_t>(r))));
-        });
-      }
+    for (const Light& part : parts) {
+      const ReceiverDivision division(part, obstacles_.blockers, own, effort_.threads, obstacles_.enclosures);
+      for_all(own_.size(), effort_.threads, [&](std::size_t i, std::size_t) {
+        append(facts_[own_[i]].traces, illumination::traces_of(division.mesh(static_cast<std::uint32_t>(i))));
+      });
     }
   }
 
   void ask_probes() {
     std::vector<Probe*> all;
-    for (std::uint32_t r = 0; r < receivers_.size(); ++r) {
+    for (const std::uint32_t r : own_) {
       for (const Point3& p : facts_[r].traces.inside) facts_[r].probes.push_back({r, p, {}});
       for (Probe& probe : facts_[r].probes) all.push_back(&probe);
     }
@@ -165,7 +218,11 @@ class Illuminating {
       all[i]->irradiance = lights_.sum(worker, all[i]->receiver, all[i]->point);
     });
     for (const Probe* probe : all) tell_largest(probe->irradiance);
-    for_all(receivers_.size(), effort_.threads, [&](std::size_t r, std::size_t worker) {
+  }
+
+  void seek_brightest() {
+    for_all(own_.size(), effort_.threads, [&](std::size_t i, std::size_t worker) {
+      const std::uint32_t r = own_[i];
       const auto brightest = std::ranges::max_element(facts_[r].probes, {}, value_of);
       if (brightest == facts_[r].probes.end() || result_.largest == 0) return;
       if (value_of(*brightest) < result_.largest / 4) return;
@@ -279,6 +336,8 @@ class Illuminating {
   std::span<const ConvexPolygon> receivers_;
   const IlluminationEffort& effort_;
   LightsTogether lights_;
+  std::vector<std::vector<std::uint32_t>> groups_;  ///< of receivers that are meshed together
+  std::vector<std::uint32_t> own_;                  ///< the receivers of this process, ascending
   std::vector<ReceiverFacts> facts_;
   std::size_t done_ = 0;   ///< receivers
   std::size_t faces_ = 0;  ///< of them

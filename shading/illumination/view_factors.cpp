@@ -11,6 +11,7 @@
 #include "geometry/bodies/closed_surface.h"
 #include "geometry/bodies/own_blockers.h"
 #include "geometry/parallel.h"
+#include "geometry/shared_work.h"
 #include "gnomon/errors.h"
 #include "gnomon/irradiance.h"
 #include "gnomon/receiver_mesh.h"
@@ -152,14 +153,26 @@ std::vector<PairExchange> all_exchanges(std::span<const Piece> pieces, const Obs
   }
   std::vector<std::vector<PairExchange>> rows(pieces.size());
   std::atomic<std::size_t> done = 0;
-  for_all(pieces.size(), effort.threads, [&](std::size_t light, std::size_t) {
-    RowOfLight row(pieces, obstacles, between, facts, effort);
-    rows[light] = row.found(static_cast<std::uint32_t>(light));
-    ++done;
-    if (effort.progress) effort.progress(done, pieces.size());
+  share_results(effort.processes, rows, [&] {
+    for_all(pieces.size(), effort.threads, [&](std::size_t light, std::size_t) {
+      if (effort.processes.is_mine(light)) {
+        RowOfLight row(pieces, obstacles, between, facts, effort);
+        rows[light] = row.found(static_cast<std::uint32_t>(light));
+      }
+      ++done;
+      if (effort.progress) effort.progress(done, pieces.size());
+    });
   });
   std::vector<PairExchange> all;
   for (auto& row : rows) all.insert(all.end(), row.begin(), row.end());
+  return all;
+}
+
+std::vector<Point3> all_points(std::span<const Piece> pieces, const Obstacles& obstacles) {
+  std::vector<Point3> all;
+  const auto add = [&](const auto& shape) { all.insert(all.end(), shape.points().begin(), shape.points().end()); };
+  for (const Piece& piece : pieces) add(piece.polygon);
+  for (const ConvexBlocker& blocker : obstacles.blockers) std::visit(add, blocker);
   return all;
 }
 
@@ -195,6 +208,7 @@ ViewFactors view_factors(std::span<const ViewSurface> surfaces, const Obstacles&
                          const ViewFactorEffort& effort) {
   if (!(effort.bound > 0)) throw PreconditionError("the bound of view factors is not positive");
   const std::vector<Piece> pieces = illumination::flat_pieces(surfaces);
+  require_same_points(effort.processes, all_points(pieces, obstacles));
   ViewFactors result;
   result.areas.assign(surfaces.size(), 0);
   for (const Piece& piece : pieces) result.areas[piece.surface] += piece.area;
