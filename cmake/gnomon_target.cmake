@@ -19,6 +19,15 @@ function(gnomon_target name)
   endif()
 endfunction()
 
+# gnomon_shareable(LIBRARY): the Python module, a shared object, may contain the library. Its functions are not to be
+# replaced by others of the same name, so calls within the library stay direct, and may be inlined.
+function(gnomon_shareable name)
+  if(GNOMON_PYTHON)
+    set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    target_compile_options(${name} PRIVATE -fno-semantic-interposition)
+  endif()
+endfunction()
+
 # gnomon_allocator(PROGRAM): the program takes memory by oneTBB's allocator, in place of the C library's. Exact numbers come
 # and go by the million, and meshes one after the other. Sanitizers bring an allocator of their own.
 function(gnomon_allocator program)
