@@ -31,7 +31,7 @@ std::string facet_place(const PolygonSoup& soup, std::size_t facet);
 /// The mesh file that is being read and the place in the scene that asked for it.
 struct MeshSource {
   const JsonNode& node;
-  std::string file;
+  std::string file;  ///< empty if the mesh stands in the scene itself
 
   /// `place` says where in the mesh file: "line 7", "facet 12".
   [[noreturn]] void refuse(std::string_view place, std::string_view found, std::string_view expected) const;

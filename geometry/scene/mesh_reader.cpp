@@ -13,6 +13,7 @@
 #include "geometry/scene/mesh_facets.h"
 #include "geometry/scene/mesh_formats.h"
 #include "geometry/scene/mesh_text.h"
+#include "geometry/scene/written_mesh.h"
 
 namespace gnomon {
 namespace {
@@ -130,6 +131,24 @@ PolygonSoup soup_of(const JsonNode& node, const std::optional<JsonNode>& materia
   return soup;
 }
 
+bool is_written_mesh(const SceneElement& element) {
+  return element.node.optional("vertices") || element.node.optional("facets");
+}
+
+/// The mesh that stands in the scene itself. What is said of files has nothing to go with.
+PolygonSoup written_mesh(const SceneElement& element) {
+  for (const char* key : {"file", "usemtl"}) {
+    if (const auto node = element.node.optional(key)) node->refuse_value("no such key beside \"facets\"");
+  }
+  const auto normals = element.node.optional("normals");
+  if (normals && normals->description() == "the string \"file\"") {
+    normals->refuse_value("other normals, as the mesh is no file");
+  }
+  PolygonSoup soup = written_soup(element);
+  merge_vertices(soup);
+  return soup;
+}
+
 void add_doubts(const std::string& title, std::vector<std::string> found, std::vector<std::string>& doubts) {
   for (std::string& doubt : found) {
     std::string sentence = title + ": " + doubt;
@@ -176,9 +195,12 @@ std::string zero_normals_doubt(const std::vector<std::vector<Point3>>& normals) 
 }  // namespace
 
 Mesh read_mesh(const SceneElement& element, const std::filesystem::path& folder, SpaceScene& scene, MeshUse use) {
-  const JsonNode node = element.node.required("file", "the name of a mesh file");
-  const MeshSource source{node, node.string("the name of a mesh file")};
-  PolygonSoup soup = soup_of(node, element.node.optional("usemtl"), source, folder);
+  const bool is_written = is_written_mesh(element);
+  const JsonNode node = is_written ? element.node.required("facets", "an array of facets")
+                                   : element.node.required("file", "the name of a mesh file");
+  const MeshSource source{node, is_written ? "" : node.string("the name of a mesh file")};
+  PolygonSoup soup =
+      is_written ? written_mesh(element) : soup_of(node, element.node.optional("usemtl"), source, folder);
   CheckedFacets checked = checked_facets(soup, source, scene.length_unit);
   if (checked.facets.empty()) source.refuse("the whole file", "no facet with an area", "at least one");
   add_doubts(element.title + ": in " + word_text(source.file), std::move(soup.doubts), scene.doubts);

@@ -10,7 +10,8 @@ namespace gnomon {
 /// What a mesh is read for: of blockers and lights it matters whether they are closed and convex.
 enum class MeshUse { blocker, receiver, light };
 
-/// Reads the mesh file that an element names. Vertices of equal coordinates become one, in every format.
+/// Reads the mesh file that an element names, or the mesh that it holds itself. Vertices of equal coordinates become
+/// one, in every format.
 ///
 /// Facets have to be simple polygons near a plane; they may have holes, by seams. Doubts are added to the scene: what
 /// was mended (see checked_facets) or passed over, lamps among the materials, a mesh that is not closed.

@@ -10,7 +10,8 @@
 namespace gnomon {
 
 void MeshSource::refuse(std::string_view place, std::string_view found, std::string_view expected) const {
-  node.refuse("in " + in_quotes(file) + ", " + std::string(place) + ", " + std::string(found), expected);
+  const std::string where = file.empty() ? "" : "in " + in_quotes(file) + ", ";
+  node.refuse(where + std::string(place) + ", " + std::string(found), expected);
 }
 
 std::string facet_place(const PolygonSoup& soup, std::size_t facet) {

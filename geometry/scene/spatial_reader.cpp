@@ -64,7 +64,7 @@ void turn_outward(Mesh& mesh, const std::string& title, std::vector<std::string>
 
 /// A solid that shines from every facet.
 void read_mesh_light(const SceneElement& element, const std::filesystem::path& folder, SpaceScene& scene) {
-  element.node.allow_keys({"name", "shape", "file", "radiance", "color"}, "a mesh light");
+  element.node.allow_keys({"name", "shape", "file", "vertices", "facets", "radiance", "color"}, "a mesh light");
   const double radiance = strength(element, "radiance");
   Mesh mesh = read_mesh(element, folder, scene, MeshUse::light);
   turn_outward(mesh, element.title, scene.doubts);
@@ -119,7 +119,7 @@ void allow_shape_keys(const SceneElement& element, std::initializer_list<std::st
 BlockerShape read_shape(const SceneElement& element, MeshUse use, const std::filesystem::path& folder,
                         SpaceScene& scene) {
   if (element.shape == "mesh") {
-    allow_shape_keys(element, {"file", "usemtl", "normals", "crease"}, use);
+    allow_shape_keys(element, {"file", "vertices", "facets", "usemtl", "normals", "crease"}, use);
     return read_mesh(element, folder, scene, use);
   }
   if (element.shape == "polytope") {

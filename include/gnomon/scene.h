@@ -64,9 +64,9 @@ struct ConcavePolygon {
   std::string shape = "concave_polygon";  ///< as the scene file calls it
 };
 
-/// A triangle or polygon mesh read from a file beside the scene.
+/// A triangle or polygon mesh, read from a file beside the scene or from the scene itself.
 struct Mesh {
-  std::string file;  ///< as written in the scene
+  std::string file;  ///< as written in the scene; empty if the mesh stands there
   std::vector<Point3> vertices;
   std::vector<std::vector<std::uint32_t>> facets;  ///< rings, with seams where a facet has holes
   bool closed = false;                             ///< every edge in exactly two facets, in opposite directions
