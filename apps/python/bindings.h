@@ -1,0 +1,20 @@
+#pragma once
+
+/// The parts of the module, each in a file of its own.
+
+#include <pybind11/pybind11.h>
+
+#include "apps/python/scene_value.h"
+
+namespace gnomon::python {
+
+using SceneClass = pybind11::class_<SceneValue>;
+
+void bind_errors(pybind11::module_& module);
+void bind_scene(SceneClass& scene);
+void bind_points(pybind11::module_& module, SceneClass& scene);
+void bind_radiance(pybind11::module_& module, SceneClass& scene);
+void bind_receivers(pybind11::module_& module, SceneClass& scene);
+void bind_pair(pybind11::module_& module, SceneClass& scene);
+
+}  // namespace gnomon::python

@@ -1,0 +1,39 @@
+#include "gnomon/errors.h"
+#include "apps/gnomon/commands.h"
+#include "apps/python/arrays.h"
+#include "apps/python/bindings.h"
+
+namespace gnomon::python {
+namespace {
+
+/// The exception of that name, which gnomon/errors.py defines, with a sentence.
+void set_error(const char* name, const char* sentence) {
+  const py::object type = py::module_::import("gnomon.errors").attr(name);
+  PyErr_SetString(type.ptr(), sentence);
+}
+
+void translate(std::exception_ptr thrown) {
+  try {
+    if (thrown) std::rethrow_exception(thrown);
+  } catch (const UnsupportedSceneError& error) {
+    set_error("UnsupportedError", error.what());
+  } catch (const SceneError& error) {
+    set_error("SceneError", error.what());
+  } catch (const UnsupportedError& error) {
+    set_error("UnsupportedError", error.what());
+  } catch (const ArgumentError& error) {
+    set_error("ArgumentError", error.what());
+  } catch (const UsageError& error) {
+    set_error("ArgumentError", error.what());
+  } catch (const PreconditionError& error) {
+    set_error("ArgumentError", error.what());
+  }
+}
+
+}  // namespace
+
+void bind_errors(py::module_&) {
+  py::register_exception_translator(translate);
+}
+
+}  // namespace gnomon::python

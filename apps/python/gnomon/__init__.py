@@ -1,0 +1,24 @@
+"""Exact shadow geometry: umbra, penumbra and light, decided exactly, with numpy arrays in and out.
+
+    import gnomon
+    scene = gnomon.Scene()
+    scene.add_light("lamp", [[-1, -1, 4], [-1, 1, 4], [1, 1, 4], [1, -1, 4]], radiance=100)
+    scene.add_blocker("table", [[-1, -1, 2], [1, -1, 2], [1, 1, 2], [-1, 1, 2]])
+    scene.irradiance([[0, 0, 0], [3, 0, 0]], [[0, 0, 1], [0, 0, 1]]).irradiance
+"""
+
+from gnomon._gnomon import Irradiance, Regions, Scene, __version__
+from gnomon.errors import ArgumentError, Error, SceneError, UnsupportedError
+from gnomon.regions import Region
+
+__all__ = [
+    "ArgumentError",
+    "Error",
+    "Irradiance",
+    "Region",
+    "Regions",
+    "Scene",
+    "SceneError",
+    "UnsupportedError",
+    "__version__",
+]

@@ -1,0 +1,86 @@
+"""Types of the compiled part of the package."""
+
+import os
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__version__: str
+
+class Regions:
+    @property
+    def lights(self) -> tuple[str, ...]: ...
+    @property
+    def points(self) -> NDArray[np.float64]: ...
+    @property
+    def region(self) -> NDArray[np.uint8]: ...
+    @property
+    def visible_fraction(self) -> NDArray[np.float64]: ...
+    @property
+    def error_bound(self) -> NDArray[np.float64]: ...
+    @property
+    def before_receiver(self) -> NDArray[np.float64] | None: ...
+
+class Irradiance:
+    @property
+    def lights(self) -> tuple[str, ...]: ...
+    @property
+    def points(self) -> NDArray[np.float64]: ...
+    @property
+    def irradiance(self) -> NDArray[np.float64]: ...
+    @property
+    def error_bound(self) -> NDArray[np.float64]: ...
+    def total(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+
+class Scene:
+    def __init__(self, dimension: int = 3, length_unit: str = "m") -> None: ...
+    @staticmethod
+    def read(file: str | os.PathLike[str]) -> Scene: ...
+    @staticmethod
+    def from_dict(document: dict[str, Any], folder: str | os.PathLike[str] = ".") -> Scene: ...
+    def to_dict(self) -> dict[str, Any]: ...
+    def add_light(
+        self,
+        name: str,
+        vertices: ArrayLike | None = None,
+        facets: ArrayLike | None = None,
+        *,
+        shape: str | None = None,
+        **keys: Any,
+    ) -> None: ...
+    def add_blocker(
+        self,
+        name: str,
+        vertices: ArrayLike | None = None,
+        facets: ArrayLike | None = None,
+        *,
+        shape: str | None = None,
+        **keys: Any,
+    ) -> None: ...
+    def add_receiver(
+        self,
+        name: str,
+        vertices: ArrayLike | None = None,
+        facets: ArrayLike | None = None,
+        *,
+        shape: str | None = None,
+        **keys: Any,
+    ) -> None: ...
+    @property
+    def lights(self) -> tuple[str, ...]: ...
+    @property
+    def blockers(self) -> tuple[str, ...]: ...
+    @property
+    def receivers(self) -> tuple[str, ...]: ...
+    @property
+    def dimension(self) -> int: ...
+    @property
+    def length_unit(self) -> str: ...
+    @property
+    def doubts(self) -> tuple[str, ...]: ...
+    def regions(
+        self, points: ArrayLike, normals: ArrayLike | None = None, *, light: str = "", threads: int = 0
+    ) -> Regions: ...
+    def irradiance(self, points: ArrayLike, normals: ArrayLike, *, light: str = "", threads: int = 0) -> Irradiance: ...

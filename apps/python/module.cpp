@@ -1,0 +1,11 @@
+#include "apps/python/bindings.h"
+
+PYBIND11_MODULE(_gnomon, module) {
+  using namespace gnomon::python;
+  module.doc() = "Exact shadow geometry: the compiled part of the package gnomon.";
+  module.attr("__version__") = GNOMON_VERSION;
+  bind_errors(module);
+  SceneClass scene(module, "Scene");
+  bind_scene(scene);
+  bind_points(module, scene);
+}
