@@ -12,6 +12,11 @@ void set_error(const char* name, const char* sentence) {
   PyErr_SetString(type.ptr(), sentence);
 }
 
+/// The program's sentences begin with an option; arguments have its name without the dashes.
+std::string of_argument(std::string sentence) {
+  return sentence.starts_with("--") ? sentence.substr(2) : sentence;
+}
+
 void translate(std::exception_ptr thrown) {
   try {
     if (thrown) std::rethrow_exception(thrown);
@@ -24,7 +29,7 @@ void translate(std::exception_ptr thrown) {
   } catch (const ArgumentError& error) {
     set_error("ArgumentError", error.what());
   } catch (const UsageError& error) {
-    set_error("ArgumentError", error.what());
+    set_error("ArgumentError", of_argument(error.what()).c_str());
   } catch (const PreconditionError& error) {
     set_error("ArgumentError", error.what());
   }

@@ -8,4 +8,7 @@ PYBIND11_MODULE(_gnomon, module) {
   SceneClass scene(module, "Scene");
   bind_scene(scene);
   bind_points(module, scene);
+  bind_radiance(module, scene);
+  bind_receivers(module, scene);
+  bind_pair(module, scene);
 }

@@ -1,7 +1,7 @@
 #include "apps/gnomon/element_choice.h"
 #include "apps/python/arrays.h"
+#include "apps/python/asking.h"
 #include "apps/python/bindings.h"
-#include "apps/python/long_work.h"
 
 namespace gnomon::python {
 namespace {
@@ -21,6 +21,9 @@ struct IrradianceResult {
   py::array points;
   py::array_t<double> irradiance, error_bound;
 };
+
+/// Points without normals.
+struct Bare {};
 
 /// Where answers are written: row by row.
 struct RegionRows {
@@ -57,28 +60,14 @@ RegionRows rows_of(RegionsResult& result) {
           before};
 }
 
-ReceiverPoint receiver_at(const PreparedObstacles& obstacles, const Rows& points, const Rows& normals, std::size_t i) {
-  return resting_point(obstacles, points.point(i), normals.point(i));
-}
-
-/// Asks the workers of a pool about every point, and gives them back whatever happens.
-template <class Worker, class Make, class Work>
-void ask(Pool<Worker>& pool, std::size_t n, unsigned threads, const Make& make, const Work& work) {
-  auto workers = pool.take(threads, make);
-  try {
-    without_lock(n, threads, [&](std::size_t i, std::size_t w) { work(i, *workers[w]); });
-  } catch (...) {
-    pool.give_back(std::move(workers));
-    throw;
-  }
-  pool.give_back(std::move(workers));
-}
-
-RegionsResult regions_in_space(PreparedScene& scene, const Rows& points, const Rows* normals, const std::string& light,
-                               unsigned asked_threads) {
+/// With or without normals.
+template <class Receivers>
+RegionsResult regions_in_space(PreparedScene& scene, const Rows& points, const Receivers& receivers,
+                               const std::string& light, unsigned asked_threads) {
+  constexpr bool of_receivers = std::is_same_v<Receivers, ReceiverArrays>;
   AskedLights& lights = scene.lights(light);
   const PreparedObstacles& obstacles = scene.obstacles();
-  RegionsResult result = empty_regions(lights.names, points, normals != nullptr);
+  RegionsResult result = empty_regions(lights.names, points, of_receivers);
   const RegionRows rows = rows_of(result);
   const auto make = [&] {
     auto made = std::make_unique<std::vector<PartsVisibility>>();
@@ -87,25 +76,22 @@ RegionsResult regions_in_space(PreparedScene& scene, const Rows& points, const R
   };
   ask(lights.visibilities, points.count(), threads_for(points.count(), asked_threads), make,
       [&](std::size_t i, std::vector<PartsVisibility>& worker) {
-        ReceiverPoint receiver;
-        if (normals) receiver = receiver_at(obstacles, points, *normals, i);
-        for (std::size_t l = 0; l < worker.size(); ++l) {
-          rows.set(i * worker.size() + l, normals ? worker[l].received(receiver) : worker[l].at(points.point(i)));
+        if constexpr (of_receivers) {
+          const ReceiverPoint receiver = receivers.receiver(obstacles, i);
+          for (std::size_t l = 0; l < worker.size(); ++l) rows.set(i * worker.size() + l, worker[l].received(receiver));
+        } else {
+          for (std::size_t l = 0; l < worker.size(); ++l)
+            rows.set(i * worker.size() + l, worker[l].at(points.point(i)));
         }
       });
   return result;
-}
-
-std::vector<const PlanarLight*> chosen_planar_lights(const PlaneScene& scene, const std::string& name) {
-  require_name("light", "light", name, scene.lights);
-  return chosen_lights(scene.lights, name);
 }
 
 RegionsResult regions_in_plane(const PlaneScene& scene, const Rows& points, const std::string& light,
                                unsigned threads) {
   std::vector<planar::Sight> sights;
   py::list names;
-  for (const PlanarLight* l : chosen_planar_lights(scene, light)) {
+  for (const PlanarLight* l : chosen_lights(scene.lights, light)) {
     names.append(l->name);
     sights.push_back(planar_sight(scene, *l));
   }
@@ -128,26 +114,20 @@ RegionsResult regions(const SceneValue& value, const py::object& points, const p
     if (!normals.is_none()) throw ArgumentError("normals: found some, expected None in a scene of dimension 2");
     return regions_in_plane(*plane, Rows(points, "points", 2), light, threads);
   }
-  const Rows at(points, "points", 3);
-  if (normals.is_none()) return regions_in_space(*scene, at, nullptr, light, threads);
-  const Rows facing(normals, "normals", 3);
-  facing.require_count(at);
-  facing.require_directions();
-  return regions_in_space(*scene, at, &facing, light, threads);
+  if (normals.is_none()) return regions_in_space(*scene, Rows(points, "points", 3), Bare{}, light, threads);
+  const ReceiverArrays receivers(points, normals);
+  return regions_in_space(*scene, receivers.points, receivers, light, threads);
 }
 
 IrradianceResult irradiance(const SceneValue& value, const py::object& points, const py::object& normals,
                             const std::string& light, unsigned threads) {
   const std::shared_ptr<PreparedScene> scene = value.prepared();
   const LengthUnit unit = *length_unit_named(scene->space("irradiance").length_unit);
-  const Rows at(points, "points", 3);
-  const Rows facing(normals, "normals", 3);
-  facing.require_count(at);
-  facing.require_directions();
+  const ReceiverArrays at(points, normals);
   AskedLights& lights = scene->lights(light);
   const PreparedObstacles& obstacles = scene->obstacles();
   const std::size_t columns = lights.groups.size();
-  IrradianceResult result{lights.names, at.array(), new_array<double>(at.count(), columns),
+  IrradianceResult result{lights.names, at.points.array(), new_array<double>(at.count(), columns),
                           new_array<double>(at.count(), columns)};
   double* values = result.irradiance.mutable_data();
   double* bounds = result.error_bound.mutable_data();
@@ -159,8 +139,8 @@ IrradianceResult irradiance(const SceneValue& value, const py::object& points, c
   const bool has_parts = lights.parts.size() != columns;
   ask(lights.irradiances, at.count(), threads_for(at.count(), threads), make,
       [&](std::size_t i, std::vector<LightIrradiance>& worker) {
-        const ReceiverPoint receiver = receiver_at(obstacles, at, facing, i);
-        const Point3 normal = facing.point(i);
+        const ReceiverPoint receiver = at.receiver(obstacles, i);
+        const Point3 normal = at.normals.point(i);
         const auto received = [&](std::size_t l) {
           return per_square_metre(worker[l].received(receiver, normal), lights.parts[l]->shape, unit);
         };

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "apps/gnomon/element_choice.h"
+#include "apps/gnomon/commands.h"
 
 namespace gnomon::python {
 
@@ -35,7 +35,6 @@ AskedLights& PreparedScene::lights(const std::string& name) {
   const auto known = lights_.find(name);
   if (known != lights_.end()) return *known->second;
   const auto& space = std::get<SpaceScene>(scene_);
-  require_name("light", "light", name, space.lights);
   auto asked = std::make_unique<AskedLights>();
   asked->groups = chosen_groups(space, name);
   asked->parts = parts_of(asked->groups);

@@ -132,9 +132,9 @@ Coordinates are doubles and meant exactly; every decision is exact for them. Que
 may be asked from several threads at once; they run without the interpreter's lock.)";
   bind_ways_in(scene);
   bind_additions(scene);
-  scene.def_property_readonly("lights", &names_in<lights_key>, "The names of the lights.");
-  scene.def_property_readonly("blockers", &names_in<blockers_key>, "The names of the blockers.");
-  scene.def_property_readonly("receivers", &names_in<receivers_key>, "The names of the receivers.");
+  scene.def_property_readonly("light_names", &names_in<lights_key>, "The names of the lights.");
+  scene.def_property_readonly("blocker_names", &names_in<blockers_key>, "The names of the blockers.");
+  scene.def_property_readonly("receiver_names", &names_in<receivers_key>, "The names of the receivers.");
   scene.def_property_readonly(
       "dimension", [](const SceneValue& self) { return dimension(self.prepared()->scene()); }, "2 or 3.");
   scene.def_property_readonly(

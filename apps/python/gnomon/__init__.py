@@ -7,18 +7,27 @@
     scene.irradiance([[0, 0, 0], [3, 0, 0]], [[0, 0, 1], [0, 0, 1]]).irradiance
 """
 
-from gnomon._gnomon import Irradiance, Regions, Scene, __version__
-from gnomon.errors import ArgumentError, Error, SceneError, UnsupportedError
+from gnomon._gnomon import DividedReceiver, Irradiance, Pair, Radiance, Regions, Scene, Volume, __version__
+from gnomon.errors import ArgumentError, Error, SceneError, SceneWarning, UnsupportedError
 from gnomon.regions import Region
+from gnomon.results import Element, Event, Plane
 
 __all__ = [
     "ArgumentError",
+    "DividedReceiver",
+    "Element",
     "Error",
+    "Event",
     "Irradiance",
+    "Pair",
+    "Plane",
+    "Radiance",
     "Region",
     "Regions",
     "Scene",
     "SceneError",
+    "SceneWarning",
     "UnsupportedError",
+    "Volume",
     "__version__",
 ]

@@ -15,3 +15,7 @@ class SceneError(Error, ValueError):
 
 class UnsupportedError(Error):
     """What was asked for makes sense, but is not available."""
+
+
+class SceneWarning(UserWarning):
+    """What was asked for is done but for a part; the sentence says which, and why."""

@@ -127,4 +127,4 @@ def test_a_scene_may_grow_while_another_thread_asks_it(lamp_and_table):
         lamp_and_table.add_blocker(f"far {k}", [[90, 0, k], [91, 0, k], [90, 1, k]])
     asking.join()
     assert all(np.array_equal(answer, wanted) for answer in answers)
-    assert len(lamp_and_table.blockers) == 51
+    assert len(lamp_and_table.blocker_names) == 51

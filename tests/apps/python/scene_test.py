@@ -22,7 +22,8 @@ def test_a_scene_of_a_file_is_that_of_its_dictionary(file):
     assert document == json.loads(file.read_text())
     again = gnomon.Scene.from_dict(document, folder=file.parent)
     assert again.to_dict() == document
-    assert (again.lights, again.blockers, again.receivers) == (scene.lights, scene.blockers, scene.receivers)
+    assert (again.light_names, again.blocker_names) == (scene.light_names, scene.blocker_names)
+    assert again.receiver_names == scene.receiver_names
     assert (again.dimension, again.length_unit, again.doubts) == (scene.dimension, scene.length_unit, scene.doubts)
 
 
@@ -84,7 +85,7 @@ def test_facets_that_make_no_sense_are_refused_by_their_place(facets, sentence):
     with pytest.raises(gnomon.SceneError) as refusal:
         scene.add_blocker("cube", CUBE, facets)
     assert sentence in str(refusal.value)
-    assert scene.blockers == ()
+    assert scene.blocker_names == ()
 
 
 def test_a_mesh_is_either_a_file_or_stands_in_the_scene():
