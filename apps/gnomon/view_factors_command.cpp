@@ -104,19 +104,6 @@ std::optional<std::uint32_t> number_of(const std::string& name, const ViewSurfac
   throw UsageError("--from: found no surface '" + name + "', expected one of " + (known.empty() ? "none" : known));
 }
 
-/// Throws: UnsupportedError for coordinates that receivers are not divided for.
-void require_range(const SpaceScene& scene, const ViewSurfaces& surfaces, const Obstacles& obstacles) {
-  const auto require = [&](std::string_view refusal, const std::string& what) {
-    if (!refusal.empty()) throw UnsupportedError(scene.source + ": " + what + ' ' + std::string(refusal));
-  };
-  for (std::size_t s = 0; s < surfaces.names.size(); ++s) {
-    for (const ConvexPolygon& piece : surfaces.shapes[s]) require(range_refusal(piece.points()), surfaces.names[s]);
-  }
-  for (const ConvexBlocker& blocker : obstacles.blockers) {
-    require(std::visit([](const auto& shape) { return range_refusal(shape.points()); }, blocker), "a blocker");
-  }
-}
-
 void tell_size(const std::string& npy, std::size_t surfaces) {
   const double bytes = 8.0 * static_cast<double>(surfaces) * static_cast<double>(surfaces);
   if (npy.empty() || bytes < 2e9) return;

@@ -1,9 +1,12 @@
 #include "apps/gnomon/view_surfaces.h"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
+#include "apps/gnomon/commands.h"
 #include "geometry/bodies/plate.h"
+#include "gnomon/receiver_mesh.h"
 
 namespace gnomon {
 namespace {
@@ -58,6 +61,18 @@ ViewSurfaces blocker_surfaces(const SpaceScene& scene, const SceneBodies& bodies
                   : add_plate(surfaces, bodies.names[b], plate, is_closed);
   }
   return surfaces;
+}
+
+void require_range(const SpaceScene& scene, const ViewSurfaces& surfaces, const Obstacles& obstacles) {
+  const auto require = [&](std::string_view refusal, const std::string& what) {
+    if (!refusal.empty()) throw UnsupportedError(scene.source + ": " + what + ' ' + std::string(refusal));
+  };
+  for (std::size_t s = 0; s < surfaces.names.size(); ++s) {
+    for (const ConvexPolygon& piece : surfaces.shapes[s]) require(range_refusal(piece.points()), surfaces.names[s]);
+  }
+  for (const ConvexBlocker& blocker : obstacles.blockers) {
+    require(std::visit([](const auto& shape) { return range_refusal(shape.points()); }, blocker), "a blocker");
+  }
 }
 
 }  // namespace gnomon

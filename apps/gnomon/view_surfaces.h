@@ -26,4 +26,7 @@ ViewSurfaces receiver_surfaces(const SpaceScene& scene);
 /// piece of one or of an open mesh, `vase#12` of a closed mesh.
 ViewSurfaces blocker_surfaces(const SpaceScene& scene, const SceneBodies& bodies);
 
+/// Throws: UnsupportedError for coordinates that receivers are not divided for.
+void require_range(const SpaceScene& scene, const ViewSurfaces& surfaces, const Obstacles& obstacles);
+
 }  // namespace gnomon

@@ -16,5 +16,9 @@ void bind_points(pybind11::module_& module, SceneClass& scene);
 void bind_radiance(pybind11::module_& module, SceneClass& scene);
 void bind_receivers(pybind11::module_& module, SceneClass& scene);
 void bind_pair(pybind11::module_& module, SceneClass& scene);
+void bind_view_factors(pybind11::module_& module, SceneClass& scene);
+void bind_place(SceneClass& scene);
+void bind_illumination(pybind11::module_& module, SceneClass& scene);
+void bind_partition(pybind11::module_& module, SceneClass& scene);
 
 }  // namespace gnomon::python

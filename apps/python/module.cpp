@@ -11,4 +11,8 @@ PYBIND11_MODULE(_gnomon, module) {
   bind_radiance(module, scene);
   bind_receivers(module, scene);
   bind_pair(module, scene);
+  bind_view_factors(module, scene);
+  bind_place(scene);
+  bind_illumination(module, scene);
+  bind_partition(module, scene);
 }

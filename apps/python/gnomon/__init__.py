@@ -7,8 +7,21 @@
     scene.irradiance([[0, 0, 0], [3, 0, 0]], [[0, 0, 1], [0, 0, 1]]).irradiance
 """
 
-from gnomon._gnomon import DividedReceiver, Irradiance, Pair, Radiance, Regions, Scene, Volume, __version__
+from gnomon._gnomon import (
+    DividedReceiver,
+    IlluminatedReceiver,
+    Irradiance,
+    Pair,
+    Partition,
+    Radiance,
+    Regions,
+    Scene,
+    ViewFactors,
+    Volume,
+    __version__,
+)
 from gnomon.errors import ArgumentError, Error, SceneError, SceneWarning, UnsupportedError
+from gnomon.proof import theorems
 from gnomon.regions import Region
 from gnomon.results import Element, Event, Plane
 
@@ -18,8 +31,10 @@ __all__ = [
     "Element",
     "Error",
     "Event",
+    "IlluminatedReceiver",
     "Irradiance",
     "Pair",
+    "Partition",
     "Plane",
     "Radiance",
     "Region",
@@ -28,6 +43,8 @@ __all__ = [
     "SceneError",
     "SceneWarning",
     "UnsupportedError",
+    "ViewFactors",
     "Volume",
     "__version__",
+    "theorems",
 ]
