@@ -75,6 +75,14 @@ py::array_t<std::uint32_t> index_array(std::span<const std::array<std::uint32_t,
 /// A rational number as fractions.Fraction.
 py::object fraction(const std::string& exact);
 
+/// Gives a class of results the method to_vtk.
+template <class Class>
+void bind_to_vtk(Class& result) {
+  result.def(
+      "to_vtk", [](const py::object& self) { return py::module_::import("gnomon.vtk_data").attr("to_vtk")(self); },
+      "The result as a data set of VTK, which pyvista wraps: see gnomon.to_vtk.");
+}
+
 /// "a, b" of a tuple of names, in quotes.
 std::string listed_names(const std::vector<std::string>& names);
 

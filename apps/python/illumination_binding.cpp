@@ -168,6 +168,7 @@ void bind_illumination(py::module_& module, SceneClass& scene) {
   IlluminatedClass illuminated(module, "IlluminatedReceiver",
                                "A flat receiver in faces, whose irradiance is interpolated between their points.");
   bind_illuminated(illuminated);
+  bind_to_vtk(illuminated);
   scene.def("illuminate", &illuminate_scene, py::kw_only(), py::arg("tolerance") = py::none(),
             py::arg("relative") = 0.01, py::arg("receiver") = "", py::arg("light") = "", py::arg("order") = 1,
             py::arg("split") = "need", py::arg("most_faces") = 1000000, py::arg("threads") = 0,

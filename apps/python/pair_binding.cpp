@@ -193,8 +193,9 @@ VolumeResult volume(const PairResult& pair, const std::string& name, const py::o
 }
 
 void bind_volume(py::module_& module) {
-  py::class_<VolumeResult>(module, "Volume", "A volume as a closed triangle surface, cut by a box.")
-      .def_readonly("name", &VolumeResult::name, "\"occlusion\", \"umbra\" or \"penumbra\".")
+  py::class_<VolumeResult> volume_class(module, "Volume", "A volume as a closed triangle surface, cut by a box.");
+  bind_to_vtk(volume_class);
+  volume_class.def_readonly("name", &VolumeResult::name, "\"occlusion\", \"umbra\" or \"penumbra\".")
       .def_readonly("vertices", &VolumeResult::vertices, "(v, 3): constructed exactly, each coordinate rounded once.")
       .def_readonly("triangles", &VolumeResult::triangles,
                     "(t, 3): indices of vertices, counterclockwise from outside.")

@@ -112,10 +112,12 @@ py::tuple planar_triangles(const PartitionResult& result) {
 }  // namespace
 
 void bind_partition(py::module_& module, SceneClass& scene) {
-  py::class_<PartitionResult>(module, "Partition", R"(A box of the plane, divided exactly by what is seen of one light.
+  py::class_<PartitionResult> partition_class(module, "Partition",
+                                              R"(A box of the plane, divided exactly by what is seen of one light.
 
-Labels, structure and areas are exact; coordinates are rounded once.)")
-      .def_readonly("light", &PartitionResult::light, "The name of the light.")
+Labels, structure and areas are exact; coordinates are rounded once.)");
+  bind_to_vtk(partition_class);
+  partition_class.def_readonly("light", &PartitionResult::light, "The name of the light.")
       .def("vertices", &planar_vertices, "(v, 2): each coordinate correctly rounded.")
       .def(
           "edges",

@@ -178,8 +178,10 @@ py::tuple total(const IrradianceResult& result) {
 }
 
 void bind_results(py::module_& module) {
-  py::class_<RegionsResult>(module, "Regions", R"(What points receive of each light: rows are points, columns lights.)")
-      .def_readonly("lights", &RegionsResult::lights, "Names of the columns.")
+  py::class_<RegionsResult> regions_class(module, "Regions",
+                                          R"(What points receive of each light: rows are points, columns lights.)");
+  bind_to_vtk(regions_class);
+  regions_class.def_readonly("lights", &RegionsResult::lights, "Names of the columns.")
       .def_readonly("points", &RegionsResult::points, "(n, 3), or (n, 2) in the plane: the points that were asked.")
       .def_readonly("region", &RegionsResult::region,
                     "(n, lights) of uint8, decided exactly: 0 lit, 1 penumbra, 2 umbra, 3 unlit, as gnomon.Region.")
@@ -188,9 +190,10 @@ void bind_results(py::module_& module) {
       .def_readonly("error_bound", &RegionsResult::error_bound, "(n, lights): at least |visible_fraction - exact|.")
       .def_readonly("before_receiver", &RegionsResult::before_receiver,
                     "(n, lights): the share of the light before the receiver's plane; None without normals.");
-  py::class_<IrradianceResult>(module, "Irradiance",
-                               R"(What receivers get of each light: rows are points, columns lights.)")
-      .def_readonly("lights", &IrradianceResult::lights, "Names of the columns.")
+  py::class_<IrradianceResult> irradiance_class(
+      module, "Irradiance", R"(What receivers get of each light: rows are points, columns lights.)");
+  bind_to_vtk(irradiance_class);
+  irradiance_class.def_readonly("lights", &IrradianceResult::lights, "Names of the columns.")
       .def_readonly("points", &IrradianceResult::points, "(n, 3): the points that were asked.")
       .def_readonly("irradiance", &IrradianceResult::irradiance,
                     "(n, lights) in W/m^2, whatever the scene's unit of length.")

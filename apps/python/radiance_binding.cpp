@@ -146,9 +146,10 @@ py::tuple total_of_all(const RadianceResult& result) {
 }  // namespace
 
 void bind_radiance(py::module_& module, SceneClass& scene) {
-  py::class_<RadianceResult>(module, "Radiance",
-                             "What surfaces reflect of each light: rows are points, columns lights, then r, g, b.")
-      .def_readonly("lights", &RadianceResult::lights, "Names of the columns.")
+  py::class_<RadianceResult> radiance_class(
+      module, "Radiance", "What surfaces reflect of each light: rows are points, columns lights, then r, g, b.");
+  bind_to_vtk(radiance_class);
+  radiance_class.def_readonly("lights", &RadianceResult::lights, "Names of the columns.")
       .def_readonly("points", &RadianceResult::points, "(n, 3): the points that were asked.")
       .def_readonly("radiance", &RadianceResult::radiance, "(n, lights, 3) in W/(m^2 sr), linear red, green and blue.")
       .def_readonly("error_bound", &RadianceResult::error_bound, "(n, lights, 3): at least |radiance - exact|.")

@@ -238,6 +238,7 @@ void bind_receivers(py::module_& module, SceneClass& scene) {
 
 The structure, the labels and areas without arcs are exact; coordinates are rounded once.)");
   bind_mesh(divided);
+  bind_to_vtk(divided);
   bind_areas(divided);
   scene.def("receivers", &receivers, py::arg("receiver") = "", py::kw_only(), py::arg("light") = "",
             py::arg("fractions") = false, py::arg("threads") = 0,

@@ -24,6 +24,7 @@ from gnomon.errors import ArgumentError, Error, SceneError, SceneWarning, Unsupp
 from gnomon.proof import theorems
 from gnomon.regions import Region
 from gnomon.results import Element, Event, Plane
+from gnomon.vtk_data import to_vtk, write_vtk
 
 __all__ = [
     "ArgumentError",
@@ -47,4 +48,6 @@ __all__ = [
     "Volume",
     "__version__",
     "theorems",
+    "to_vtk",
+    "write_vtk",
 ]
