@@ -45,10 +45,12 @@ def _points(coordinates: NDArray[np.float64]) -> Any:
 
 
 def _cells(corners: NDArray[Any]) -> Any:
+    """Indices are copied: a vtkCellArray would not keep numpy's memory alive."""
     count, size = corners.shape
+    copied = _module("util.numpy_support").numpy_to_vtkIdTypeArray
     offsets = np.arange(0, count * size + 1, size, dtype=np.int64)
     cells = _module("vtkCommonDataModel").vtkCellArray()
-    cells.SetData(_vtk_array(offsets), _vtk_array(corners.astype(np.int64).ravel()))
+    cells.SetData(copied(offsets, deep=1), copied(corners.astype(np.int64).ravel(), deep=1))
     return cells
 
 

@@ -1,5 +1,6 @@
 """Results become data sets of VTK, of which the numbers are theirs."""
 
+import gc
 import sys
 
 import numpy as np
@@ -38,6 +39,19 @@ def test_doubles_are_shared_with_the_result(lamp_and_table):
     points = np.zeros((3, 3))
     data = lamp_and_table.regions(points).to_vtk()
     assert np.shares_memory(vtk_to_numpy(data.GetPoints().GetData()), points)
+
+
+def test_data_sets_outlive_what_they_are_made_of():
+    data = gnomon.Scene.read(EXAMPLES / "figure_4_22.scene.json").receivers()[0].to_vtk()
+    wanted = gnomon.Scene.read(EXAMPLES / "figure_4_22.scene.json").receivers()[0].triangles()
+    for _ in range(10):
+        gc.collect()
+        filling = [np.full(1000, 7.5) for _ in range(1000)]
+    assert len(filling) == 1000
+    assert np.array_equal(vtk_to_numpy(data.GetPoints().GetData()), wanted[0])
+    assert np.array_equal(vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3), wanted[1])
+    assert np.array_equal(vtk_to_numpy(data.GetCellData().GetArray("face")), wanted[2])
+    assert data.GetCell(0).GetNumberOfPoints() == 3
 
 
 def test_surfaces_have_triangles_with_their_faces():
