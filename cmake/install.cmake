@@ -1,6 +1,6 @@
 # What `cmake --install` puts where: the program, the libraries, their headers, which are those of include/gnomon, and the
 # package that find_package(gnomon CONFIG) reads. The viz library has a file of its own there, because it alone needs VTK.
-# With GNOMON_PROOF gnomon-proof is installed too, as a component of its own.
+# With GNOMON_PROOF gnomon-proof is installed too, with GNOMON_PYTHON the Python package (apps/python): components of their own.
 include(CMakePackageConfigHelpers)
 
 set(gnomon_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/gnomon)

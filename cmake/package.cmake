@@ -1,4 +1,5 @@
-# cpack -G DEB makes a package of what `cmake --install` installs; gnomon-proof, if it was built, is a package of its own.
+# cpack -G DEB makes a package of what `cmake --install` installs; gnomon-proof and the Python package, if they were built,
+# are packages of their own.
 # Shared libraries are found by dpkg-shlibdeps; what the
 # program only uses when asked to (a virtual display, three.js) is recommended.
 set(CPACK_GENERATOR DEB)
@@ -24,6 +25,18 @@ if(GNOMON_PROOF)
   set(CPACK_COMPONENT_PROOF_DESCRIPTION
 "checks the numbered statements of the theory that gnomon rests on (gnomon theorems), and measures gnomon's speed against
 error beside other programs (gnomon report).")
+endif()
+if(GNOMON_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-gnomon)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  math(EXPR next_python "${Python3_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next_python}), python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "gnomon-proof, python3-vtk9")
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION
+"computes exact shadows from Python: numpy arrays in, numpy arrays out, the same answers as the program gnomon.")
 endif()
 set(CPACK_COMPONENT_GNOMON_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION}")
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
