@@ -18,16 +18,23 @@ const SpaceScene& PreparedScene::space(const char* subject) const {
                          " in scenes of dimension 2 is not available in this version");
 }
 
-const SceneBodies& PreparedScene::bodies() {
+void PreparedScene::make_ready() {
+  if (is_ready_) return;
+  const py::gil_scoped_release release;
   const std::lock_guard lock(mutex_);
-  if (!bodies_) bodies_ = std::make_unique<SceneBodies>(scene_bodies(std::get<SpaceScene>(scene_)));
+  if (is_ready_) return;
+  bodies_ = std::make_unique<SceneBodies>(scene_bodies(std::get<SpaceScene>(scene_)));
+  obstacles_ = std::make_unique<PreparedObstacles>(bodies_->obstacles);
+  is_ready_ = true;
+}
+
+const SceneBodies& PreparedScene::bodies() {
+  make_ready();
   return *bodies_;
 }
 
 const PreparedObstacles& PreparedScene::obstacles() {
-  const SceneBodies& made = bodies();
-  const std::lock_guard lock(mutex_);
-  if (!obstacles_) obstacles_ = std::make_unique<PreparedObstacles>(made.obstacles);
+  make_ready();
   return *obstacles_;
 }
 

@@ -4,6 +4,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <atomic>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -67,7 +68,7 @@ class PreparedScene {
   /// Throws: UnsupportedError for a scene of the plane.
   const SpaceScene& space(const char* subject) const;
 
-  /// Bodies and obstacles of a scene of space; made when first asked for.
+  /// Bodies and obstacles of a scene of space; made when first asked for, without the interpreter's lock.
   const SceneBodies& bodies();
   const PreparedObstacles& obstacles();
 
@@ -76,10 +77,13 @@ class PreparedScene {
   AskedLights& lights(const std::string& name);
 
  private:
+  void make_ready();
+
   Scene scene_;
   std::mutex mutex_;
   std::unique_ptr<SceneBodies> bodies_;
   std::unique_ptr<PreparedObstacles> obstacles_;
+  std::atomic<bool> is_ready_ = false;  ///< both of these are made
   std::map<std::string, std::unique_ptr<AskedLights>, std::less<>> lights_;
 };
 

@@ -15,8 +15,10 @@ constexpr std::size_t largest_file = std::size_t{64} << 20;
 
 constexpr const char* of_python = "scene";
 
-std::shared_ptr<PreparedScene> prepared_from(std::string_view text, const std::string& source,
+/// Reads and checks without the interpreter's lock.
+std::shared_ptr<PreparedScene> prepared_from(const std::string& text, const std::string& source,
                                              const std::filesystem::path& folder) {
+  const pybind11::gil_scoped_release release;
   return std::make_shared<PreparedScene>(parse_scene(text, source, folder));
 }
 
@@ -84,12 +86,17 @@ void SceneValue::add(const char* list, Json element) {
   if (elements.is_null()) elements = Json::array();
   require_free_name(elements, element, title + ": \"" + element["name"].get<std::string>() + "\"");
   elements.push_back(std::move(element));
+  ++changes_;
   prepared_.reset();
 }
 
 std::shared_ptr<PreparedScene> SceneValue::prepared() const {
-  if (!prepared_) prepared_ = prepared_from(document_.dump(), source_, folder_);
-  return prepared_;
+  if (prepared_) return prepared_;
+  const std::size_t changes = changes_;
+  std::shared_ptr<PreparedScene> made = prepared_from(document_.dump(), source_, folder_);
+  // Another thread may have added an element meanwhile; what was asked before that is answered without it.
+  if (changes == changes_) prepared_ = made;
+  return made;
 }
 
 }  // namespace gnomon::python

@@ -4,6 +4,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -40,6 +41,7 @@ class SceneValue {
   nlohmann::ordered_json document_;
   std::string source_;
   std::filesystem::path folder_;
+  std::size_t changes_ = 0;
   mutable std::shared_ptr<PreparedScene> prepared_;  ///< none after a change
 };
 
