@@ -10,6 +10,25 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Lists may hold themselves: as deep as Python itself goes, and no deeper.
+class Depth {
+ public:
+  Depth() {
+    if (Py_EnterRecursiveCall(" in what is to be a scene") != 0) throw py::error_already_set();
+  }
+  ~Depth() { Py_LeaveRecursiveCall(); }
+  Depth(const Depth&) = delete;
+  Depth& operator=(const Depth&) = delete;
+};
+
+Json text_json(py::handle text, const std::string& place) {
+  py::ssize_t size = 0;
+  const char* bytes = PyUnicode_AsUTF8AndSize(text.ptr(), &size);
+  if (bytes != nullptr) return std::string(bytes, static_cast<std::size_t>(size));
+  PyErr_Clear();
+  throw ArgumentError(place + ": found a string that is no text, expected characters of Unicode");
+}
+
 Json number_json(py::handle number, const std::string& place) {
   const auto value = number.cast<double>();
   if (std::isfinite(value)) return value;
@@ -39,7 +58,7 @@ Json dict_json(const py::dict& dict, const std::string& place) {
     if (!py::isinstance<py::str>(key)) {
       throw ArgumentError(place + ": found the key " + py::repr(key).cast<std::string>() + ", expected a string");
     }
-    const auto name = key.cast<std::string>();
+    const auto name = text_json(key, place).get<std::string>();
     json[name] = json_of(value, place.empty() ? name : place + '/' + name);
   }
   return json;
@@ -48,11 +67,12 @@ Json dict_json(const py::dict& dict, const std::string& place) {
 }  // namespace
 
 Json json_of(py::handle object, const std::string& place) {
+  const Depth depth;
   if (object.is_none()) return nullptr;
   if (py::isinstance<py::bool_>(object)) return object.cast<bool>();
   if (py::isinstance<py::float_>(object)) return number_json(object, place);
   if (py::isinstance<py::int_>(object)) return integer_json(object, place);
-  if (py::isinstance<py::str>(object)) return object.cast<std::string>();
+  if (py::isinstance<py::str>(object)) return text_json(object, place);
   if (py::isinstance<py::dict>(object)) return dict_json(py::reinterpret_borrow<py::dict>(object), place);
   if (py::isinstance<py::list>(object) || py::isinstance<py::tuple>(object)) return list_json(object, place);
   // Arrays and numbers of numpy's, and whatever else knows how to become lists.

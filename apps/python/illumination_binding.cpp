@@ -6,7 +6,7 @@
 #include "apps/gnomon/receiver_rows.h"
 #include "apps/python/arrays.h"
 #include "apps/python/bindings.h"
-#include "geometry/parallel.h"
+#include "apps/python/long_work.h"
 #include "geometry/scene/receiver_facets.h"
 #include "geometry/scene/scene_points.h"
 #include "gnomon/illumination.h"
@@ -66,7 +66,7 @@ py::list illuminate_scene(const SceneValue& value, const std::optional<double>& 
   const SpaceScene& space = scene->space("illumination meshes");
   IlluminationEffort effort = illumination_effort(tolerance, relative, order, split);
   effort.most_faces = most_faces;
-  effort.threads = thread_count(threads);
+  effort.threads = checked_threads(threads);
   effort.unit = *length_unit_named(space.length_unit);
   require_receiver("receiver", receiver, space.receivers);
   const AskedLights& lights = scene->lights(light);

@@ -6,16 +6,26 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 
+#include "apps/python/arrays.h"
 #include "geometry/parallel.h"
 
 namespace gnomon::python {
 
-/// As many threads as pay for that many questions; `asked` 0 for one per processor.
+/// How many threads are meant, 0 being one per processor.
+///
+/// Throws: ArgumentError for more than the program takes.
+inline unsigned checked_threads(unsigned asked) {
+  if (asked <= 1024) return thread_count(asked);
+  throw ArgumentError("threads: found " + std::to_string(asked) + ", expected 1 to 1024, or 0");
+}
+
+/// As many threads as pay for that many questions.
 inline unsigned threads_for(std::size_t questions, unsigned asked) {
   constexpr std::size_t few = 64;
   if (asked == 0 && questions < few) return 1;
-  return static_cast<unsigned>(std::min<std::size_t>(thread_count(asked), std::max<std::size_t>(questions, 1)));
+  return static_cast<unsigned>(std::min<std::size_t>(checked_threads(asked), std::max<std::size_t>(questions, 1)));
 }
 
 /// Runs `work(i, worker)` for all i below n as for_all does, without the interpreter's lock. Between batches signals

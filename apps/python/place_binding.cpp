@@ -38,8 +38,14 @@ DesignEffort design_effort(const std::string& choose, const py::object& near, st
 }
 
 Design design_of(const py::object& goals, const SpaceScene& scene) {
-  if (!py::isinstance<py::dict>(goals)) return read_design(goals.cast<std::filesystem::path>(), scene);
-  return parse_design(json_of(goals, "").dump(), "goals", scene);
+  if (py::isinstance<py::dict>(goals)) return parse_design(json_of(goals, "").dump(), "goals", scene);
+  std::filesystem::path file;
+  try {
+    file = goals.cast<std::filesystem::path>();
+  } catch (const py::cast_error&) {
+    throw ArgumentError("goals: expected a dictionary, or the name of a goals file");
+  }
+  return read_design(file, scene);
 }
 
 py::object place(const SceneValue& value, const py::object& goals, const std::string& choose, const py::object& near,

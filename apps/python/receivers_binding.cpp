@@ -49,6 +49,7 @@ void warn(const std::string& sentence) {
 py::list receivers(const SceneValue& value, const std::string& receiver, const std::string& light, bool with_fractions,
                    unsigned threads) {
   const std::shared_ptr<PreparedScene> scene = value.prepared();
+  const unsigned workers = checked_threads(threads);
   const DivisionPlan plan = division_plan(scene->scene(), {light, receiver}, DivisionOf::receivers);
   if (!plan.refusal.empty()) throw UnsupportedError(plan.space->source + ": " + plan.refusal);
   for (const std::string& sentence : plan.left_out) warn(sentence);
@@ -57,7 +58,7 @@ py::list receivers(const SceneValue& value, const std::string& receiver, const s
     std::vector<DividedReceiver> made;
     {
       const py::gil_scoped_release release;
-      made = divided_by(plan, plan.space->lights[l], with_fractions, thread_count(threads));
+      made = divided_by(plan, plan.space->lights[l], with_fractions, workers);
     }
     for (DividedReceiver& one : made) result.append(py::cast(std::move(one)));
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();

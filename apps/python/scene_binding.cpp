@@ -26,10 +26,10 @@ const char* usual_shape(const SceneValue& scene, const char* list, const Json& e
   return count > 2 ? "polyline" : "segment";
 }
 
-void add(SceneValue& scene, const char* list, const std::string& name, py::handle vertices, py::handle facets,
+void add(SceneValue& scene, const char* list, const py::str& name, py::handle vertices, py::handle facets,
          py::handle shape, const py::kwargs& keys) {
   Json element = Json::object();
-  element["name"] = name;
+  element["name"] = json_of(name, "name");
   if (!shape.is_none()) element["shape"] = json_of(shape, "shape");
   if (!vertices.is_none()) element["vertices"] = json_of(vertices, "vertices");
   if (!facets.is_none()) element["facets"] = json_of(facets, "facets");
@@ -42,7 +42,7 @@ void add(SceneValue& scene, const char* list, const std::string& name, py::handl
 }
 
 template <const char* const& List>
-void add_to(SceneValue& scene, const std::string& name, const py::object& vertices, const py::object& facets,
+void add_to(SceneValue& scene, const py::str& name, const py::object& vertices, const py::object& facets,
             const py::object& shape, const py::kwargs& keys) {
   add(scene, List, name, vertices, facets, shape, keys);
 }
@@ -73,7 +73,10 @@ std::string text_of(const SceneValue& scene) {
 }
 
 void bind_ways_in(SceneClass& scene) {
-  scene.def(py::init<int, std::string>(), py::arg("dimension") = 3, py::arg("length_unit") = "m",
+  scene.def(py::init([](int of, const py::str& unit) {
+              return SceneValue(of, json_of(unit, "length_unit").get<std::string>());
+            }),
+            py::arg("dimension") = 3, py::arg("length_unit") = "m",
             R"(A scene without elements, of space (dimension 3) or of the plane (2).
 
 length_unit is that of all coordinates: "mm", "cm", "m", "km", "in" or "ft".)");

@@ -7,7 +7,7 @@
 #include "apps/gnomon/view_surfaces.h"
 #include "apps/python/arrays.h"
 #include "apps/python/bindings.h"
-#include "geometry/parallel.h"
+#include "apps/python/long_work.h"
 
 namespace gnomon::python {
 namespace {
@@ -35,7 +35,7 @@ FactorsResult view_factors_of(const SceneValue& value, double bound, bool faces,
   require_range(space, surfaces, bodies.obstacles);
   ViewFactorEffort effort;
   effort.bound = bound;
-  effort.threads = thread_count(threads);
+  effort.threads = checked_threads(threads);
   effort.from = surface_called(source, surfaces.names);
   effort.twice = twice;
   const py::gil_scoped_release release;
