@@ -46,7 +46,7 @@ PartitionResult partition_of(const SceneValue& value, const std::string& light, 
   const planar::PartitionOptions options{structure ? planar::Fineness::structure : planar::Fineness::regions,
                                          planar_box(scene->scene(), box)};
   const py::gil_scoped_release release;
-  planar::Partition divided = planar::partition(planar_sight(*plane, of), options);
+  planar::Partition divided = planar::partition(planar_visibility(*plane, of), options);
   planar::PartitionInBox drawn = planar::partition_in_box(divided);
   return {of.name, std::move(divided), std::move(drawn)};
 }

@@ -89,19 +89,19 @@ RegionsResult regions_in_space(PreparedScene& scene, const Rows& points, const R
 
 RegionsResult regions_in_plane(const PlaneScene& scene, const Rows& points, const std::string& light,
                                unsigned threads) {
-  std::vector<planar::Sight> sights;
+  std::vector<planar::LightVisibility> visibilities;
   py::list names;
   for (const PlanarLight* l : chosen_lights(scene.lights, light)) {
     names.append(l->name);
-    sights.push_back(planar_sight(scene, *l));
+    visibilities.push_back(planar_visibility(scene, *l));
   }
   RegionsResult result = empty_regions(names, points, false);
   const RegionRows rows = rows_of(result);
   without_lock(points.count(), threads_for(points.count(), threads), [&](std::size_t i, std::size_t) {
-    for (std::size_t l = 0; l < sights.size(); ++l) {
-      const planar::VisibleLight seen = sights[l].visible_light(points.planar_point(i));
+    for (std::size_t l = 0; l < visibilities.size(); ++l) {
+      const planar::VisibleLight seen = visibilities[l].visible_light(points.planar_point(i));
       const planar::VisibleFraction fraction = visible_fraction(seen);
-      rows.set(i * sights.size() + l, {seen.region, fraction.value, fraction.error});
+      rows.set(i * visibilities.size() + l, {seen.region, fraction.value, fraction.error});
     }
   });
   return result;
