@@ -20,17 +20,19 @@ namespace {
 
 struct ImportOptions {
   std::vector<std::string> files;
-  std::string out, unit = "m", up = "z", lights, receivers;
+  std::string out, unit = "m", up, lights, receivers;
   bool merges_coplanar = false;
   bool quiet = false;
 };
 
 void add_options(CommandLine& app, ImportOptions& options) {
-  app.add_texts("FILE", options.files, "FILE",
-                "OBJ files, with the MTL files that they name, OFF, PLY, STL files or Radiance scenes (.rad)");
+  app.add_texts(
+      "FILE", options.files, "FILE",
+      "OBJ files, with the MTL files that they name, glTF (.gltf, .glb), OFF, PLY, STL files or Radiance scenes "
+      "(.rad)");
   add_required_text(app, "--out", options.out, "SCENE", "Scene file to write, in the folder of meshes or above it");
   add_text(app, "--unit", options.unit, "UNIT", "What a length of 1 is: m (default), mm, cm, km, in or ft");
-  add_text(app, "--up", options.up, "AXIS", "The axis that points up: z (default) or y");
+  add_text(app, "--up", options.up, "AXIS", "The axis that points up: z or y (default: y for glTF, else z)");
   add_text(app, "--light", options.lights, "MATERIAL=RADIANCE,...",
            "Facets of these materials are lights of so many W/(m^2 sr); those that emit are lights anyway");
   add_text(app, "--receiver", options.receivers, "MATERIAL,...", "Facets of these materials are receivers, too");
@@ -39,10 +41,10 @@ void add_options(CommandLine& app, ImportOptions& options) {
   app.add_flag("--quiet", options.quiet, "No summary; warnings and errors only");
   app.footer(
       "The scene names mesh files and leaves them as they are: of each material there is one blocker, a mesh with\n"
-      "\"usemtl\"; polygons of Radiance scenes are copied. Facets of materials with Ke, light, glow or illum are\n"
-      "polygon lights, not blockers: the largest channel is the radiance, the color the rest. Kd, Ks and Ns,\n"
-      "plastic and metal become materials, for 'gnomon radiance' and 'image'. Facets without a material are\n"
-      "called as their file. What is passed over is told, one line a kind.\n\n"
+      "\"usemtl\"; triangles of glTF and polygons of Radiance scenes are copied. Facets of materials that emit (Ke,\n"
+      "emissiveFactor, light, glow, illum) are polygon lights, not blockers: the largest channel is the radiance,\n"
+      "the color the rest. What else materials tell is for 'gnomon radiance' and 'image'. Facets without a\n"
+      "material are called as their file. What is passed over is told, one line a kind.\n\n"
       "Examples:\n"
       "  gnomon import examples/lit_chair.obj --out chair.scene.json\n"
       "  gnomon import examples/lit_chair.obj --out c.scene.json --receiver floor\n");
@@ -72,7 +74,8 @@ std::map<std::string, std::string> chosen_materials(const std::string& option, c
 }
 
 ImportChoice import_choice(const ImportOptions& options, const std::vector<ImportedModel>& models) {
-  ImportChoice choice{options.unit, options.up, {}, {}, options.merges_coplanar};
+  const bool is_y_up = options.up.empty() ? std::ranges::any_of(models, &ImportedModel::is_y_up) : options.up == "y";
+  ImportChoice choice{options.unit, is_y_up ? "y" : "z", {}, {}, options.merges_coplanar};
   for (const auto& [name, value] : chosen_materials("--light", options.lights, true, models)) {
     const double radiance = finite_value("--light", value, "MATERIAL=RADIANCE, the radiance a number above 0");
     if (!(radiance > 0)) throw UsageError("--light: found the radiance " + value + "; expected a number above 0");
@@ -97,7 +100,7 @@ std::string name_beside(const std::filesystem::path& file, const std::filesystem
 
 /// How the scene calls a model's file.
 std::string mesh_file(const ImportedModel& model, const std::string& file, const std::string& out) {
-  if (!model.is_mesh) return {};
+  if (model.form != ModelForm::mesh_file) return {};
   return out == "-" ? std::filesystem::path(file).filename().string() : name_beside(file, out);
 }
 
@@ -105,7 +108,8 @@ void require_choices(const ImportOptions& options) {
   if (!length_unit_named(options.unit)) {
     throw UsageError("--unit: found '" + options.unit + "'; expected m, mm, cm, km, in or ft");
   }
-  if (options.up != "y" && options.up != "z") throw UsageError("--up: found '" + options.up + "'; expected y or z");
+  if (!options.up.empty() && options.up != "y" && options.up != "z")
+    throw UsageError("--up: found '" + options.up + "'; expected y or z");
   require_place("--out", options.out, OutputKind::json);
   require_unread("--out", options.out, options.files);
 }

@@ -64,10 +64,20 @@ void read_plain_mesh(ImportedModel& model, std::string_view text, const MeshSour
 void read_radiance(ImportedModel& model, std::string_view text, const MeshSource& source,
                    const std::filesystem::path&) {
   RadianceScene scene = radiance_scene(text, source);
-  model.is_mesh = false;
+  model.form = ModelForm::polygons;
   model.soup = std::move(scene.soup);
   model.names = std::move(scene.names);
   model.materials = std::move(scene.materials);
+}
+
+void read_gltf(ImportedModel& model, std::string_view text, const MeshSource& source,
+               const std::filesystem::path& folder) {
+  GltfScene scene = gltf_scene(text, (folder / source.file).string(), folder);
+  model.form = ModelForm::written_mesh;
+  model.is_y_up = true;
+  model.soup = std::move(scene.soup);
+  model.materials = std::move(scene.materials);
+  model.lights = std::move(scene.lights);
 }
 
 using ModelReader = void (*)(ImportedModel&, std::string_view, const MeshSource&, const std::filesystem::path&);
@@ -79,8 +89,10 @@ ModelReader model_reader(const std::filesystem::path& file) {
   if (ending == ".ply") return read_plain_mesh<ply_soup>;
   if (ending == ".stl") return read_plain_mesh<stl_soup>;
   if (ending == ".rad") return read_radiance;
-  throw UnsupportedError(file.string() + ": found a file that ends in " + word_text(ending) +
-                         ", expected .obj, .off, .ply, .stl or .rad; other formats are not available in this version");
+  if (ending == ".gltf" || ending == ".glb") return read_gltf;
+  throw UnsupportedError(
+      file.string() + ": found a file that ends in " + word_text(ending) +
+      ", expected .gltf, .glb, .obj, .off, .ply, .rad or .stl; other formats are not available in this version");
 }
 
 }  // namespace

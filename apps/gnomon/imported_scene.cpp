@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "apps/gnomon/commands.h"
+#include "geometry/numbers/place_key.h"
 #include "geometry/scene/coplanar_facets.h"
 #include "gnomon/convex_polygon.h"
 
@@ -88,6 +89,7 @@ class SceneWriter {
     for (std::uint32_t m = 0; m < facets.size(); ++m) {
       if (!facets[m].empty()) add_facets(model, m, facets[m], mesh_file);
     }
+    for (const PunctualLight& light : model.lights) add_light(light);
   }
 
   ImportedScene scene() {
@@ -113,10 +115,12 @@ class SceneWriter {
     if (*std::ranges::max_element(emission) > 0) {
       if (is_receiver) throw UsageError("--receiver: facets of '" + model.material_title(material) + "' are lights");
       add_lights(model, material, facets, emission);
-    } else if (model.is_mesh) {
-      add_mesh(model, material, mesh_file, is_receiver);
-    } else {
+    } else if (model.form == ModelForm::polygons) {
       add_polygons(model, material, facets, is_receiver);
+    } else {
+      add_mesh(model, material,
+               model.form == ModelForm::mesh_file ? mesh_of(model, material, mesh_file) : written_mesh(model, facets),
+               is_receiver);
     }
   }
 
@@ -141,11 +145,33 @@ class SceneWriter {
                            "('iconv -f latin1 -t utf-8 FILE' makes it of Latin 1)");
   }
 
-  void add_mesh(const ImportedModel& model, std::uint32_t material, const std::string& mesh_file, bool is_receiver) {
-    Json mesh = {{"name", element_name(model.material_title(material), names_)},
-                 {"shape", "mesh"},
-                 {"file", named_in_scene(mesh_file)}};
-    if (model.soup.materials.size() > 1) mesh["usemtl"] = named_in_scene(model.soup.materials[material]);
+  static Json mesh_of(const ImportedModel& model, std::uint32_t material, const std::string& mesh_file) {
+    Json keys = {{"file", named_in_scene(mesh_file)}};
+    if (model.soup.materials.size() > 1) keys["usemtl"] = named_in_scene(model.soup.materials[material]);
+    return keys;
+  }
+
+  /// The facets with the vertices that they need, each place once.
+  static Json written_mesh(const ImportedModel& model, const std::vector<std::size_t>& facets) {
+    Json keys = {{"vertices", Json::array()}, {"facets", Json::array()}};
+    std::map<PlaceKey, std::size_t> known;
+    for (const std::size_t f : facets) {
+      Json corners = Json::array();
+      for (const std::uint32_t v : model.checked.facets[f]) {
+        const Point3& p = model.soup.vertices[v];
+        const auto [entry, is_new] = known.try_emplace(place_key(p), known.size());
+        if (is_new) keys["vertices"].push_back({p.x, p.y, p.z});
+        corners.push_back(entry->second);
+      }
+      keys["facets"].push_back(std::move(corners));
+    }
+    return keys;
+  }
+
+  /// `keys` say which mesh it is.
+  void add_mesh(const ImportedModel& model, std::uint32_t material, Json keys, bool is_receiver) {
+    Json mesh = {{"name", element_name(model.material_title(material), names_)}, {"shape", "mesh"}};
+    mesh.update(keys);
     const std::string name = added_material(model.materials[material], mesh["name"]);
     if (!name.empty()) mesh["material"] = name;
     add_blocker(std::move(mesh), is_receiver);
@@ -200,8 +226,24 @@ class SceneWriter {
       Json light = polygon_json(model, rings[k], element_name(name, light_names_));
       light["radiance"] = most;
       if (color != std::array<double, 3>{1, 1, 1}) light["color"] = {color[0], color[1], color[2]};
+      const std::optional<FileMaterial>& known = model.materials[material];
+      if (known && known->emits_both_ways) light["two_sided"] = true;
       document_["lights"].push_back(std::move(light));
     }
+  }
+
+  /// A light without size; none of no intensity.
+  void add_light(const PunctualLight& of_file) {
+    const double most = *std::ranges::max_element(of_file.intensity);
+    if (!(most > 0)) return;
+    const Point3& p = of_file.place;
+    Json light = {{"name", element_name(of_file.name, light_names_)},
+                  {"shape", of_file.is_directional ? "direction" : "point"},
+                  {of_file.is_directional ? "direction" : "position", {p.x, p.y, p.z}},
+                  {of_file.is_directional ? "irradiance" : "intensity", most}};
+    const std::array<double, 3>& i = of_file.intensity;
+    if (i[0] != i[1] || i[1] != i[2]) light["color"] = {i[0] / most, i[1] / most, i[2] / most};
+    document_["lights"].push_back(std::move(light));
   }
 
   const ImportChoice& choice_;

@@ -17,6 +17,7 @@ std::set<std::string> emitting_materials(std::string_view text);
 struct FileMaterial {
   std::optional<std::array<double, 3>> emission, diffuse, specular;  ///< Ke, Kd, Ks
   std::optional<double> exponent;                                    ///< Ns
+  bool emits_both_ways = false;                                      ///< facets emit from their backs, too
 };
 
 struct MaterialFile {

@@ -1,11 +1,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <random>
 
 #include "geometry/scene/material_file.h"
 #include "tests/apps/gnomon/program_fixture.h"
+#include "tests/support/gltf_model.h"
 
 namespace gnomon {
 namespace {
@@ -216,6 +218,58 @@ TEST_F(ImportCommand, OfARadianceSceneIsTheSceneByHand) {
         "vertices": [[-4.0,-4.0,0.0], [4.0,-4.0,0.0], [4.0,4.0,0.0], [-4.0,4.0,0.0]]},
       {"name": "ell", "shape": "concave_polygon", "material": "grey",
         "vertices": [[0.0,0.0,1.0], [2.0,0.0,1.0], [2.0,1.0,1.0], [1.0,1.0,1.0], [1.0,2.0,1.0], [0.0,2.0,1.0]]}]})"));
+}
+
+TEST_F(ImportCommand, OfAGltfFileIsItsLampItsLightsAndItsMeshes) {
+  GltfModel model;
+  const auto square = [&](float size, float y, bool faces_up) {
+    const std::vector<std::uint16_t> up = {0, 2, 1, 0, 3, 2}, down = {0, 1, 2, 0, 2, 3};
+    const std::size_t places = model.points({-size, y, -size, size, y, -size, size, y, size, -size, y, size});
+    return json{{"attributes", {{"POSITION", places}}},
+                {"indices", model.add(faces_up ? up : down, 5123, "SCALAR", 1)}};
+  };
+  json light = square(0.5, 3, false), ground = square(4, 0, true), board = square(1, 1, true);
+  light["material"] = 0, ground["material"] = 1;
+  model.document["materials"] = {{{"name", "lamp"}, {"emissiveFactor", {1, 1, 0.5}}, {"doubleSided", true}},
+                                 {{"name", "floor"}, {"pbrMetallicRoughness", {{"metallicFactor", 0}}}}};
+  for (const json& one : {light, ground, board}) model.node({{"mesh", model.mesh(one)}});
+  model.document["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}, {"intensity", 5}},
+                                                                   {{"type", "directional"}, {"name", "sun"}}};
+  model.node({{"translation", {0, 2, 0}}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+  model.node({{"rotation", {-0.5, 0, 0, 0.5}}, {"extensions", {{"KHR_lights_punctual", {{"light", 1}}}}}});
+  write("model.glb", model.binary());
+  const Outcome run = gnomon("import model.glb --out scene.json --merge-coplanar --receiver floor --quiet");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json scene = read_json("scene.json");
+  EXPECT_EQ(scene["up"], "y");
+  ASSERT_EQ(scene["lights"].size(), 3U);
+  EXPECT_EQ(scene["lights"][0]["vertices"].size(), 4U);
+  EXPECT_EQ(scene["lights"][0]["two_sided"], true);
+  EXPECT_EQ(scene["lights"][0]["color"], (json{1, 1, 0.5}));
+  EXPECT_EQ(scene["lights"][1]["position"], (json{0, 2, 0}));
+  EXPECT_EQ(scene["lights"][2]["name"], "sun");
+  ASSERT_EQ(scene["blockers"].size(), 2U);
+  EXPECT_EQ(scene["blockers"][1]["name"], "model");
+  EXPECT_EQ(scene["blockers"][1]["vertices"].size(), 4U);
+  EXPECT_EQ(scene["receivers"][0]["name"], "floor");
+  const Outcome check = gnomon("check scene.json");
+  EXPECT_EQ(check.code, 0) << check.err;
+  // The table hides the bulb, 2 above the floor, from what lies below it; 3 beside that it is seen.
+  const Outcome lit = shell(
+      "printf 'x,y,z,nx,ny,nz\\n0,0,0,0,1,0\\n3,0,0,0,1,0\\n' | \"$GNOMON\" irradiance scene.json "
+      "--at - --light 'light 0' --quiet");
+  ASSERT_EQ(lit.code, 0) << lit.err;
+  const std::vector<std::string> rows = lines(lit.out);
+  ASSERT_EQ(rows.size(), 3U) << lit.out;
+  EXPECT_THAT(rows[1], HasSubstr("light 0,0,0"));
+  EXPECT_NEAR(std::stod(rows[2].substr(rows[2].find("light 0,") + 8)), 5 * 2 / std::pow(13, 1.5), 1e-12);
+}
+
+TEST_F(ImportCommand, ReadsTheGltfFilesThatTheProgramWrites) {
+  ASSERT_EQ(gnomon("render examples/figure_4_22.scene.json --out figure.gltf --quiet").code, 0);
+  const Outcome run = gnomon("import figure.gltf --out scene.json");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(gnomon("check scene.json").code, 0);
 }
 
 TEST_F(ImportCommand, RefusesCommandsOfRadianceScenesByName) {

@@ -16,7 +16,7 @@ std::string tent(const std::string& keys) {
          "}]}";
 }
 
-std::string refusal_of(const std::string& keys) {
+std::string written_mesh_refusal(const std::string& keys) {
   try {
     parse_scene(tent(keys), "test", ".");
   } catch (const SceneError& error) {
@@ -46,23 +46,24 @@ TEST(WrittenMesh, DoubtsWhatIsNotClosed) {
 
 TEST(WrittenMesh, RefusesIndicesAndFacetsByTheirPlace) {
   EXPECT_EQ(
-      refusal_of(corners + R"("facets": [[0, 1, 5]])"),
+      written_mesh_refusal(corners + R"("facets": [[0, 1, 5]])"),
       "test: /blockers/0/facets/0/2: blocker \"tent\": found the number 5; expected the index of a vertex, from 0 "
       "to 4");
-  EXPECT_THAT(refusal_of(corners + R"("facets": [[0, 1, 0.5]])"), HasSubstr("/blockers/0/facets/0/2"));
-  EXPECT_THAT(refusal_of(corners + R"("facets": [[0, 1, 4], [0, 2, 1, 3]])"), HasSubstr("found facet 1, "));
-  EXPECT_THAT(refusal_of(corners + R"("facets": 5)"), HasSubstr("expected an array of facets"));
-  EXPECT_THAT(refusal_of(R"("vertices": [], "facets": [])"), HasSubstr("expected an array of at least 3 points"));
-  EXPECT_THAT(refusal_of(R"("facets": [[0, 1, 2]])"), HasSubstr("/blockers/0/vertices"));
-  EXPECT_THAT(refusal_of(R"("vertices": [[0, 0, 0]])"), HasSubstr("/blockers/0/facets"));
+  EXPECT_THAT(written_mesh_refusal(corners + R"("facets": [[0, 1, 0.5]])"), HasSubstr("/blockers/0/facets/0/2"));
+  EXPECT_THAT(written_mesh_refusal(corners + R"("facets": [[0, 1, 4], [0, 2, 1, 3]])"), HasSubstr("found facet 1, "));
+  EXPECT_THAT(written_mesh_refusal(corners + R"("facets": 5)"), HasSubstr("expected an array of facets"));
+  EXPECT_THAT(written_mesh_refusal(R"("vertices": [], "facets": [])"),
+              HasSubstr("expected an array of at least 3 points"));
+  EXPECT_THAT(written_mesh_refusal(R"("facets": [[0, 1, 2]])"), HasSubstr("/blockers/0/vertices"));
+  EXPECT_THAT(written_mesh_refusal(R"("vertices": [[0, 0, 0]])"), HasSubstr("/blockers/0/facets"));
 }
 
 TEST(WrittenMesh, IsNoFileBesides) {
   const std::string facets = R"("facets": [[0, 1, 4]])";
   for (const char* key : {R"(, "file": "a.obj")", R"(, "usemtl": "wood")", R"(, "normals": "file")"}) {
-    EXPECT_THAT(refusal_of(corners + facets + key), HasSubstr("expected")) << key;
+    EXPECT_THAT(written_mesh_refusal(corners + facets + key), HasSubstr("expected")) << key;
   }
-  EXPECT_EQ(refusal_of(corners + facets + R"(, "normals": "angle")"), "none");
+  EXPECT_EQ(written_mesh_refusal(corners + facets + R"(, "normals": "angle")"), "none");
 }
 
 }  // namespace
