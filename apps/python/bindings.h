@@ -8,6 +8,9 @@
 
 namespace gnomon::python {
 
+/// Warns of what is worth a word, by a SceneWarning. Throws: error_already_set where warnings are errors.
+void warn(const std::string& sentence);
+
 using SceneClass = pybind11::class_<SceneValue>;
 
 void bind_errors(pybind11::module_& module);

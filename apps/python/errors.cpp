@@ -37,6 +37,11 @@ void translate(std::exception_ptr thrown) {
 
 }  // namespace
 
+void warn(const std::string& sentence) {
+  const py::object category = py::module_::import("gnomon.errors").attr("SceneWarning");
+  if (PyErr_WarnEx(category.ptr(), sentence.c_str(), 1) != 0) throw py::error_already_set();
+}
+
 void bind_errors(py::module_&) {
   py::register_exception_translator(translate);
 }

@@ -41,11 +41,6 @@ std::vector<DividedReceiver> divided_by(const DivisionPlan& plan, const SceneLig
   return result;
 }
 
-void warn(const std::string& sentence) {
-  const py::object category = py::module_::import("gnomon.errors").attr("SceneWarning");
-  if (PyErr_WarnEx(category.ptr(), sentence.c_str(), 1) != 0) throw py::error_already_set();
-}
-
 py::list receivers(const SceneValue& value, const std::string& receiver, const std::string& light, bool with_fractions,
                    unsigned threads) {
   const std::shared_ptr<PreparedScene> scene = value.prepared();
@@ -151,6 +146,19 @@ py::tuple edge_events(const DividedReceiver& one) {
   return list;
 }
 
+py::tuple arcs_of(const DividedReceiver& one) {
+  const py::object type = py::module_::import("gnomon.results").attr("Arc");
+  const std::vector<MeshArc> arcs = one.mesh.arcs();
+  py::list list;
+  for (std::size_t e = 0; e < one.mesh.edges().size(); ++e) {
+    const std::uint32_t arc = one.mesh.edges()[e].arc;
+    if (arc == MeshEdge::nowhere) continue;
+    const Point3& middle = arcs[arc].points[1];
+    list.append(type(e, py::make_tuple(middle.x, middle.y, middle.z), arcs[arc].weight));
+  }
+  return list;
+}
+
 py::object exact_area(const RegionArea& area) {
   return area.exact ? fraction(*area.exact) : py::object(py::none());
 }
@@ -200,6 +208,7 @@ void bind_mesh(DividedClass& divided) {
       .def("edge_faces", &edge_faces,
            "(e, 2): the faces left and right of each edge, seen from the front; -1 beyond the border.")
       .def("edge_events", &edge_events, "Of each edge, the indices in events() of what happens along it.")
+      .def("arcs", &arcs_of, "The edges that are arcs of conics, each an Arc; all others are segments.")
       .def("events", &events, "The events of the mesh, each an Event.")
       .def(
           "faces", [](const DividedReceiver& one) { return cycles_of(one.mesh, one.mesh.faces()); },

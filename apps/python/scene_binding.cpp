@@ -72,6 +72,16 @@ std::string text_of(const SceneValue& scene) {
          count("blockers") + ", " + count("receivers") + ">";
 }
 
+/// As the program prints them.
+SceneValue with_warnings(SceneValue scene) {
+  constexpr std::size_t most = 10;
+  const std::shared_ptr<PreparedScene> prepared = scene.prepared();
+  const auto& [source, unit, found, of_lighting] = facts(prepared->scene());
+  for (std::size_t i = 0; i < std::min(most, found.size()); ++i) warn(source + ": " + found[i]);
+  if (found.size() > most) warn(std::to_string(found.size() - most) + " further doubts, which Scene.doubts tells");
+  return scene;
+}
+
 void bind_ways_in(SceneClass& scene) {
   scene.def(py::init([](int of, const py::str& unit) {
               return SceneValue(of, json_of(unit, "length_unit").get<std::string>());
@@ -80,17 +90,24 @@ void bind_ways_in(SceneClass& scene) {
             R"(A scene without elements, of space (dimension 3) or of the plane (2).
 
 length_unit is that of all coordinates: "mm", "cm", "m", "km", "in" or "ft".)");
-  scene.def_static("read", &SceneValue::read, py::arg("file"),
-                   R"(Reads and checks a scene file.
+  scene.def_static(
+      "read", [](const std::filesystem::path& file) { return with_warnings(SceneValue::read(file)); }, py::arg("file"),
+      R"(Reads and checks a scene file.
 
 Raises SceneError with file, place, element, what was found and what was expected;
-UnsupportedError for what makes sense but is not available.)");
-  scene.def_static("from_dict", &SceneValue::from_dict, py::arg("document"), py::arg("folder") = ".",
-                   R"(A scene from a dictionary with the keys of a scene file.
+UnsupportedError for what makes sense but is not available. Doubts are told as
+SceneWarning, as the program prints them.)");
+  scene.def_static(
+      "from_dict",
+      [](const py::dict& document, const std::filesystem::path& folder) {
+        return with_warnings(SceneValue::from_dict(document, folder));
+      },
+      py::arg("document"), py::arg("folder") = ".",
+      R"(A scene from a dictionary with the keys of a scene file.
 
 Lists may be arrays; numbers are taken as doubles. Mesh files are looked up in
 folder. Raises SceneError, UnsupportedError; ArgumentError for what no scene file
-can hold.)");
+can hold. Doubts are told as SceneWarning.)");
   scene.def(
       "to_dict", [](const SceneValue& self) { return object_of(self.document()); },
       "The dictionary that from_dict reads as the same scene again, doubles to the last bit.");

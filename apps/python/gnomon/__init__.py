@@ -23,10 +23,11 @@ from gnomon._gnomon import (
 from gnomon.errors import ArgumentError, Error, SceneError, SceneWarning, UnsupportedError
 from gnomon.proof import theorems
 from gnomon.regions import Region
-from gnomon.results import Element, Event, Plane
+from gnomon.results import Arc, Element, Event, Plane
 from gnomon.vtk_data import to_vtk, write_vtk
 
 __all__ = [
+    "Arc",
     "ArgumentError",
     "DividedReceiver",
     "Element",

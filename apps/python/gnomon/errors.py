@@ -18,4 +18,4 @@ class UnsupportedError(Error):
 
 
 class SceneWarning(UserWarning):
-    """What was asked for is done but for a part; the sentence says which, and why."""
+    """A doubt about a scene, or a part of what was asked for that is left out; the sentence says which, and why."""

@@ -25,6 +25,16 @@ class Event(NamedTuple):
     """What it bounds as far as light and one blocker decide it: "none", "occlusion", "umbra"."""
 
 
+class Arc(NamedTuple):
+    """An edge that is the arc of a conic: a rational quadratic Bezier curve between the edge's vertices."""
+
+    edge: int
+    control_point: tuple[float, float, float]
+    """The middle one, an estimate."""
+    weight: float
+    """Of the middle one, an estimate: below 1 of an ellipse, above 1 of a hyperbola."""
+
+
 class Plane(NamedTuple):
     """An extremal plane, named by the elements it goes through."""
 

@@ -20,7 +20,7 @@ def facets_of(document: dict) -> list[tuple[str, str, dict]]:
     return pieces
 
 
-@pytest.mark.parametrize("name", ["figure_4_22", "figure_4_23", "cornell_box", "two_lamps", "boxes"])
+@pytest.mark.parametrize("name", ["figure_4_22", "figure_4_23", "cornell_box", "two_lamps", "boxes", "four_umbrae"])
 def test_meshes_are_those_of_the_program(name):
     file = EXAMPLES / f"{name}.scene.json"
     document = json.loads(run_program("receivers", str(file), "--mesh", "faces,edges,polygons", "--json", "-", "--quiet"))
@@ -30,6 +30,9 @@ def test_meshes_are_those_of_the_program(name):
     for one, (_, _, mesh) in zip(found, pieces):
         assert one.vertices().tolist() == mesh["vertices"]
         assert one.edges().tolist() == [edge["vertices"] for edge in mesh["edges"]]
+        arcs = [(e, tuple(edge["arc"]["control_point"]), edge["arc"]["weight"])
+                for e, edge in enumerate(mesh["edges"]) if "arc" in edge]
+        assert list(one.arcs()) == arcs
         beyond = [[-1 if f is None else f for f in (edge["left"], edge["right"])] for edge in mesh["edges"]]
         assert one.edge_faces().tolist() == beyond
         assert [list(names) for names in one.edge_events()] == [edge["events"] for edge in mesh["edges"]]
@@ -54,6 +57,13 @@ def test_areas_are_fractions_that_add_up_exactly():
     assert floor.areas() == {region: float(area) for region, area in exact.items()}
     assert floor.area() == 80
     assert repr(floor) == "<gnomon.DividedReceiver 'floor' under 'lamp': 24 faces>"
+
+
+def test_areas_with_arcs_are_no_fractions():
+    (floor,) = gnomon.Scene.read(EXAMPLES / "four_umbrae.scene.json").receivers()
+    assert len(floor.arcs()) > 0
+    assert floor.exact_areas()[gnomon.Region.UMBRA] is None
+    assert floor.areas()[gnomon.Region.UMBRA] == pytest.approx(3.106195091019361, abs=1e-12)
 
 
 def test_triangles_cover_their_faces():

@@ -143,6 +143,22 @@ def test_a_bad_file_gets_the_sentence_of_the_program(tmp_path):
         gnomon.Scene.read("nowhere.json")
 
 
+def test_doubts_are_warned_of_in_the_words_of_the_program(tmp_path):
+    file = tmp_path / "doubtful.scene.json"
+    file.write_text(json.dumps({"gnomon": 1, "dimension": 3, "lights": [{"name": "bulb", "shape": "point", "position": [0, 0, 1]}],
+                                "blockers": [], "receivers": [{"name": f"r{k}", "shape": "polygon", "vertices": [[0, 0, 0], [0, 1, 0], [1, 0, 0]]}
+                                                              for k in range(12)]}))
+    with pytest.warns(gnomon.SceneWarning) as warned:
+        scene = gnomon.Scene.read(file)
+    run = subprocess.run([PROGRAM, "irradiance", str(file), "--at", "-"], input="0,0,0,0,0,1", capture_output=True, text=True, check=False)
+    printed = [line.removeprefix("gnomon: warning: ") for line in run.stderr.splitlines()]
+    assert len(scene.doubts) == 13
+    assert [str(w.message) for w in warned][:10] == printed[:10]
+    assert str(warned[10].message) == "3 further doubts, which Scene.doubts tells"
+    with pytest.warns(gnomon.SceneWarning):
+        assert gnomon.Scene.from_dict(scene.to_dict()).doubts == scene.doubts
+
+
 def test_the_plane_has_scenes_too():
     scene = gnomon.Scene(2)
     scene.add_light("tube", [[-1, 4], [1, 4]])
