@@ -42,9 +42,21 @@ py::array converted(const py::array& array, const std::string& name) {
   return doubles;
 }
 
+/// Of an array's own class there are no masks.
+void refuse_masks(const py::array& array, const std::string& name) {
+  static const PyTypeObject* plain = Py_TYPE(py::array_t<double>(py::ssize_t{0}).ptr());
+  if (Py_TYPE(array.ptr()) == plain || !py::hasattr(array, "mask")) return;
+  const bool is_masked = py::module_::import("numpy").attr("any")(array.attr("mask")).cast<bool>();
+  if (is_masked) refuse(name, "an array with masked numbers", "numbers that are all there");
+}
+
 /// What numpy makes of it, of whatever numbers.
 py::array as_array(py::handle object, const std::string& name) {
-  if (py::isinstance<py::array>(object)) return py::reinterpret_borrow<py::array>(object);
+  if (py::isinstance<py::array>(object)) {
+    const auto array = py::reinterpret_borrow<py::array>(object);
+    refuse_masks(array, name);
+    return array;
+  }
   try {
     return py::module_::import("numpy").attr("asarray")(object);
   } catch (py::error_already_set&) {

@@ -119,6 +119,23 @@ RegionsResult regions(const SceneValue& value, const py::object& points, const p
   return regions_in_space(*scene, receivers.points, receivers, light, threads);
 }
 
+/// Calls `set(l, e)` for every light l with what it gives to a receiver; a light of parts gives what these do together.
+template <class Set>
+void receive(const AskedLights& lights, const LengthUnit& unit, std::vector<LightIrradiance>& worker,
+             const ReceiverPoint& receiver, const Point3& normal, const Set& set) {
+  const auto received = [&](std::size_t part) {
+    return per_square_metre(worker[part].received(receiver, normal), lights.parts[part]->shape, unit);
+  };
+  if (lights.parts.size() == lights.groups.size()) {
+    for (std::size_t l = 0; l < worker.size(); ++l) set(l, received(l));
+    return;
+  }
+  std::vector<Irradiance> of_parts;
+  for (std::size_t part = 0; part < worker.size(); ++part) of_parts.push_back(received(part));
+  const std::vector<Irradiance> of_groups = irradiance_of_groups(lights.groups, of_parts);
+  for (std::size_t l = 0; l < of_groups.size(); ++l) set(l, of_groups[l]);
+}
+
 IrradianceResult irradiance(const SceneValue& value, const py::object& points, const py::object& normals,
                             const std::string& light, unsigned threads) {
   const std::shared_ptr<PreparedScene> scene = value.prepared();
@@ -136,26 +153,13 @@ IrradianceResult irradiance(const SceneValue& value, const py::object& points, c
     for (const SceneLight* part : lights.parts) made->emplace_back(part->shape, part->strength, obstacles);
     return made;
   };
-  const bool has_parts = lights.parts.size() != columns;
   ask(lights.irradiances, at.count(), threads_for(at.count(), threads), make,
       [&](std::size_t i, std::vector<LightIrradiance>& worker) {
-        const ReceiverPoint receiver = at.receiver(obstacles, i);
-        const Point3 normal = at.normals.point(i);
-        const auto received = [&](std::size_t l) {
-          return per_square_metre(worker[l].received(receiver, normal), lights.parts[l]->shape, unit);
-        };
-        const auto set = [&](std::size_t l, const Irradiance& e) {
-          values[i * columns + l] = e.value;
-          bounds[i * columns + l] = e.error_bound;
-        };
-        if (!has_parts) {
-          for (std::size_t l = 0; l < columns; ++l) set(l, received(l));
-          return;
-        }
-        std::vector<Irradiance> of_parts;
-        for (std::size_t l = 0; l < worker.size(); ++l) of_parts.push_back(received(l));
-        const std::vector<Irradiance> of_groups = irradiance_of_groups(lights.groups, of_parts);
-        for (std::size_t l = 0; l < columns; ++l) set(l, of_groups[l]);
+        receive(lights, unit, worker, at.receiver(obstacles, i), at.normals.point(i),
+                [&](std::size_t l, const Irradiance& e) {
+                  values[i * columns + l] = e.value;
+                  bounds[i * columns + l] = e.error_bound;
+                });
       });
   return result;
 }

@@ -80,6 +80,7 @@ def test_no_points_get_no_answers(lamp_and_table, empty):
         ([[0, 0, 0], [0, 0]], "points: found what is no array, expected an array of numbers"),
         (np.zeros((1, 3), np.longdouble), "points: found an array of float128, expected numbers that doubles hold"),
         ([[2**53 + 1, 0, 0]], "points: found integers of 2^53 or more, expected numbers that doubles hold"),
+        (np.ma.masked_array([[0.0, 0, 0]], mask=[[0, 1, 0]]), "points: found an array with masked numbers, expected numbers that are all there"),
         (None, "points: found an array of object, expected real numbers"),
     ],
 )
