@@ -8,18 +8,10 @@
 #include "apps/python/arrays.h"
 #include "apps/python/bindings.h"
 #include "apps/python/long_work.h"
-#include "gnomon/shadow_mesh.h"
+#include "apps/python/pair_volume.h"
 
 namespace gnomon::python {
 namespace {
-
-/// One light and one convex blocker, and their volumes.
-struct PairResult {
-  std::string light, blocker;
-  ShadowPair shadow;
-  ShadowVolumes volumes;
-  std::optional<Box3> box;  ///< by which volumes are cut unless one is given
-};
 
 /// The name of the element that has the part: `vase` of `vase#12`.
 std::string element_of(const std::string& name) {
@@ -50,17 +42,6 @@ PairResult pair_of(const SceneValue& value, const std::string& light, const std:
     throw UnsupportedError("light '" + pair.light + "', blocker '" + pair.blocker + "': " + pair.reason);
   }
   return {pair.light, pair.blocker, *pair.shadow, pair.shadow->volumes(), default_clip_box(scene->scene())};
-}
-
-const char* kind_name(FacetKind kind) {
-  constexpr const char* names[] = {
-      "blocker_face", "separating_blocker_plane", "separating_light_plane", "supporting_blocker_plane", "clip_box",
-      "light_plane"};
-  return names[static_cast<int>(kind)];
-}
-
-py::object optional_index(const std::optional<std::uint32_t>& index) {
-  return index ? py::object(py::int_(*index)) : py::object(py::none());
 }
 
 /// A plane with the numbers of the half-space of its name, where the volume has one.
@@ -136,78 +117,6 @@ py::dict facts_of(const PairResult& pair, const std::string& name) {
   return result;
 }
 
-/// The box as two rows, its least and its greatest corner.
-Box3 box_of(const PairResult& pair, const py::object& box) {
-  if (box.is_none()) {
-    if (!pair.box) throw ArgumentError("box: found None, expected a box, as the scene has no usual one");
-    return *pair.box;
-  }
-  const Rows corners(box, "box", 3);
-  const bool is_box = corners.count() == 2 && corners.at(0, 0) < corners.at(1, 0) &&
-                      corners.at(0, 1) < corners.at(1, 1) && corners.at(0, 2) < corners.at(1, 2);
-  if (!is_box)
-    throw ArgumentError("box: found no two corners, expected the least and the greatest, apart in x, y and z");
-  return {corners.point(0), corners.point(1)};
-}
-
-const VolumeMesh& mesh_called(const ShadowMeshes& meshes, const std::string& name) {
-  if (name == "occlusion") return meshes.occlusion;
-  if (name == "umbra") return meshes.umbra;
-  if (name == "penumbra") return meshes.penumbra;
-  throw ArgumentError("volume: found '" + name + "', expected 'occlusion', 'umbra' or 'penumbra'");
-}
-
-struct VolumeResult {
-  std::string name;
-  py::array_t<double> vertices;
-  py::array_t<std::uint32_t> triangles, triangle_facets;
-  py::list facets;  ///< (kind, edge, vertex)
-  double volume = 0;
-  py::object exact_volume;
-  bool truncated = false;
-};
-
-VolumeResult volume(const PairResult& pair, const std::string& name, const py::object& box) {
-  mesh_called({}, name);
-  const Box3 cut = box_of(pair, box);
-  ShadowMeshes meshes;
-  {
-    const py::gil_scoped_release release;
-    meshes = pair.shadow.meshes(cut, {.penumbra = name == "penumbra", .cells = false, .planes = false});
-  }
-  const VolumeMesh& mesh = mesh_called(meshes, name);
-  std::vector<std::array<std::uint32_t, 3>> corners;
-  py::array_t<std::uint32_t> of_facets(static_cast<py::ssize_t>(mesh.triangles.size()));
-  std::uint32_t* next = of_facets.mutable_data();
-  for (const MeshTriangle& triangle : mesh.triangles) {
-    corners.push_back(triangle.vertices);
-    *next++ = triangle.facet;
-  }
-  py::list facets;
-  for (const FacetName& facet : mesh.facets) {
-    facets.append(
-        py::make_tuple(kind_name(facet.kind), optional_index(facet.edge_index), optional_index(facet.vertex_index)));
-  }
-  return {name,   points_array(mesh.vertices), index_array<3>(corners),     of_facets,
-          facets, mesh.volume.nearest,         fraction(mesh.volume.exact), mesh.truncated};
-}
-
-void bind_volume(py::module_& module) {
-  py::class_<VolumeResult> volume_class(module, "Volume", "A volume as a closed triangle surface, cut by a box.");
-  bind_to_vtk(volume_class);
-  volume_class.def_readonly("name", &VolumeResult::name, "\"occlusion\", \"umbra\" or \"penumbra\".")
-      .def_readonly("vertices", &VolumeResult::vertices, "(v, 3): constructed exactly, each coordinate rounded once.")
-      .def_readonly("triangles", &VolumeResult::triangles,
-                    "(t, 3): indices of vertices, counterclockwise from outside.")
-      .def_readonly("triangle_facets", &VolumeResult::triangle_facets, "(t,): the facet of each triangle.")
-      .def_readonly(
-          "facets", &VolumeResult::facets,
-          "Of each facet its kind and the edge and the vertex of its plane, as of a Plane; None where it has none.")
-      .def_readonly("volume", &VolumeResult::volume, "That of the exact mesh, correctly rounded.")
-      .def_readonly("exact_volume", &VolumeResult::exact_volume, "The same as a fractions.Fraction.")
-      .def_readonly("truncated", &VolumeResult::truncated, "True if a side of the box bounds it.");
-}
-
 }  // namespace
 
 void bind_pair(py::module_& module, SceneClass& scene) {
@@ -226,7 +135,7 @@ penumbra: the rest of the occlusion. Everything is decided exactly.)")
       .def("facts", &facts_of, py::arg("volume"),
            "Whether \"occlusion\", \"umbra\" or \"penumbra\" is empty, bounded, and in how many components: a "
            "dictionary.")
-      .def("volume", &volume, py::arg("volume"), py::arg("box") = py::none(),
+      .def("volume", &volume_of, py::arg("volume"), py::arg("box") = py::none(),
            R"("occlusion", "umbra" or "penumbra" as a Volume, cut exactly by a box.
 
 box: its least and greatest corner, (2, 3); without it the bounding box of the scene,
