@@ -12,6 +12,7 @@ import gnomon
 
 EXAMPLES = pathlib.Path(os.environ["GNOMON_EXAMPLES"])
 PROGRAM = os.environ["GNOMON_PROGRAM"]
+CASES = 5000 if os.environ.get("GNOMON_LONG_TESTS") == "ON" else 200
 
 
 def run_program(*arguments: str, text: str = "") -> str:

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import gnomon
-from conftest import EXAMPLES, program_table
+from conftest import CASES, EXAMPLES, program_table
 
 SPACE = ["figure_4_22", "cornell_box", "two_lamps", "still_life", "letter_block", "boxes", "desk"]
 PLANE = ["figure_4_17", "figure_4_18_no_umbra"]
@@ -45,8 +45,8 @@ def test_irradiance_is_that_of_the_program_to_the_last_bit(name):
     file = EXAMPLES / f"{name}.scene.json"
     scene = gnomon.Scene.read(file)
     generator = seeded(11)
-    points = points_around(scene, generator, 200)
-    normals = generator.choice([-1.0, 0.0, 0.5, 1.0], (200, 3))
+    points = points_around(scene, generator, CASES)
+    normals = generator.choice([-1.0, 0.0, 0.5, 1.0], (CASES, 3))
     normals[~normals.any(axis=1)] = [0, 0, 1]
     found = scene.irradiance(points, normals)
     table = program_table("irradiance", str(file), "--at", "-", text=as_csv("x,y,z,nx,ny,nz", np.hstack([points, normals])))
@@ -61,8 +61,8 @@ def test_irradiance_is_that_of_the_program_to_the_last_bit(name):
 def test_regions_are_those_of_the_program_to_the_last_bit(name, facing):
     file = EXAMPLES / f"{name}.scene.json"
     scene = gnomon.Scene.read(file)
-    points = points_around(scene, seeded(12), 200)
-    normals = np.tile([0.0, 0.0, 1.0], (200, 1)) if facing else None
+    points = points_around(scene, seeded(12), CASES)
+    normals = np.tile([0.0, 0.0, 1.0], (CASES, 1)) if facing else None
     found = scene.regions(points, normals)
     header, rows = ("x,y,z,nx,ny,nz", np.hstack([points, normals])) if facing else ("x,y,z", points)
     table = program_table("regions", str(file), "--at", "-", text=as_csv(header, rows))
@@ -81,7 +81,7 @@ def test_regions_are_those_of_the_program_to_the_last_bit(name, facing):
 def test_regions_of_the_plane_are_those_of_the_program(name):
     file = EXAMPLES / f"{name}.scene.json"
     scene = gnomon.Scene.read(file)
-    points = points_around(scene, seeded(13), 200)
+    points = points_around(scene, seeded(13), CASES)
     found = scene.regions(points)
     table = program_table("regions", str(file), "--at", "-", text=as_csv("x,y", points))
     names = [gnomon.Region(code).name.lower() for code in found.region.ravel()]
