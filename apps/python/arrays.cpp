@@ -53,7 +53,7 @@ void refuse_masks(const py::array& array, const std::string& name) {
 /// What numpy makes of it, of whatever numbers.
 py::array as_array(py::handle object, const std::string& name) {
   if (py::isinstance<py::array>(object)) {
-    const auto array = py::reinterpret_borrow<py::array>(object);
+    auto array = py::reinterpret_borrow<py::array>(object);
     refuse_masks(array, name);
     return array;
   }

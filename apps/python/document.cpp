@@ -47,8 +47,7 @@ Json integer_json(py::handle number, const std::string& place) {
 
 Json list_json(py::handle list, const std::string& place) {
   Json json = Json::array();
-  std::size_t i = 0;
-  for (const py::handle item : list) json.push_back(json_of(item, place + '/' + std::to_string(i++)));
+  for (const py::handle item : list) json.push_back(json_of(item, place + '/' + std::to_string(json.size())));
   return json;
 }
 
@@ -59,7 +58,9 @@ Json dict_json(const py::dict& dict, const std::string& place) {
       throw ArgumentError(place + ": found the key " + py::repr(key).cast<std::string>() + ", expected a string");
     }
     const auto name = text_json(key, place).get<std::string>();
-    json[name] = json_of(value, place.empty() ? name : place + '/' + name);
+    std::string below = place;
+    if (!below.empty()) below += '/';
+    json[name] = json_of(value, below += name);
   }
   return json;
 }

@@ -13,11 +13,11 @@ void set_error(const char* name, const char* sentence) {
 }
 
 /// The program's sentences begin with an option; arguments have its name without the dashes.
-std::string of_argument(std::string sentence) {
+std::string of_argument(const std::string& sentence) {
   return sentence.starts_with("--") ? sentence.substr(2) : sentence;
 }
 
-void translate(std::exception_ptr thrown) {
+void translate(std::exception_ptr thrown) {  // NOLINT(performance-unnecessary-value-param): as pybind11 calls it
   try {
     if (thrown) std::rethrow_exception(thrown);
   } catch (const UnsupportedSceneError& error) {
