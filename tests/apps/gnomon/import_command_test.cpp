@@ -132,7 +132,7 @@ TEST_F(ImportCommand, RefusesWhatItCannotUse) {
     EXPECT_EQ(run.code, code) << words << run.err;
     EXPECT_THAT(run.err, HasSubstr(text)) << words;
   };
-  expect("model.gltf --out s.json", 4, "expected .obj, .off, .ply, .stl or .rad");
+  expect("model.fbx --out s.json", 4, "expected .gltf, .glb, .obj, .off, .ply, .rad or .stl");
   expect("nix.obj --out s.json", 3, "no such file");
   expect("model.obj --out model.obj", 2, "model.obj");
   expect("model.obj --out s.json --unit furlong", 2, "expected m, mm");
