@@ -2,18 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <utility>
 
 #include "geometry/bodies/body.h"
-#include "geometry/numbers/vector3.h"
 #include "geometry/parallel.h"
 #include "geometry/shared_work.h"
 #include "gnomon/errors.h"
 #include "gnomon/receiver_mesh.h"
 #include "shading/illumination/brightest_place.h"
 #include "shading/illumination/coplanar_receivers.h"
+#include "shading/illumination/group_meshes.h"
 #include "shading/illumination/outlines.h"
 #include "shading/illumination/packed_meshes.h"
 #include "shading/illumination/refinement.h"
@@ -23,27 +22,14 @@ namespace gnomon {
 namespace {
 
 using illumination::extent_of;
-using illumination::HalvingTriangle;
 using illumination::LightsTogether;
-using illumination::none;
 using illumination::Outline;
 using illumination::Probe;
 using illumination::ReceiverTraces;
 using illumination::Refinement;
 using illumination::RefinementGoal;
-using illumination::smooth;
 using illumination::Trace;
 using illumination::TriangleState;
-
-double illuminated_area(const Point3& a, const Point3& b, const Point3& c) {
-  const Vector3<double> n = cross(step(a, b), step(a, c));
-  return std::hypot(n.x, n.y, n.z) / 2;
-}
-
-double illuminated_area(const IlluminationMesh& mesh, const IlluminationFace& face) {
-  const auto& [a, b, c] = face.corners;
-  return illuminated_area(mesh.points[a], mesh.points[b], mesh.points[c]);
-}
 
 /// What is known of each receiver before it is meshed.
 struct ReceiverFacts {
@@ -57,62 +43,6 @@ void append(ReceiverTraces& all, ReceiverTraces more) {
   all.traces.insert(all.traces.end(), more.traces.begin(), more.traces.end());
   all.inside.insert(all.inside.end(), more.inside.begin(), more.inside.end());
 }
-
-/// One group of receivers as it is meshed, and the meshes made of it.
-class GroupMeshes {
- public:
-  GroupMeshes(const Refinement& refined, LightsTogether& lights, unsigned threads)
-      : refined_(refined), lights_(lights), threads_(threads) {}
-
-  /// Appends one mesh for each receiver of the group.
-  void write(std::span<const std::uint32_t> receivers, std::vector<IlluminationMesh>& meshes) {
-    for (std::uint32_t t = 0; t < refined_.states().size(); ++t) add_face(t, meshes[refined_.receiver_of(t)]);
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
-    for (const std::uint32_t r : receivers) {
-      for (std::uint32_t i = 0; i < meshes[r].points.size(); ++i) all.emplace_back(r, i);
-      meshes[r].irradiance.resize(meshes[r].points.size());
-      meshes[r].of_lights.assign(lights_.size(), std::vector<Irradiance>(meshes[r].points.size()));
-    }
-    for_all(all.size(), threads_, [&](std::size_t k, std::size_t worker) {
-      const auto& [r, i] = all[k];
-      const std::vector<Irradiance> found = lights_.each(worker, r, asked_[r][i]);
-      for (std::size_t l = 0; l < found.size(); ++l) meshes[r].of_lights[l][i] = found[l];
-      meshes[r].irradiance[i] = total_irradiance(found);
-    });
-  }
-
- private:
-  std::uint32_t point(std::uint32_t triangle, std::size_t node, IlluminationMesh& mesh) {
-    const std::uint32_t receiver = refined_.receiver_of(triangle), place = refined_.place_of(triangle, node);
-    const auto fresh = static_cast<std::uint32_t>(mesh.points.size());
-    if (!refined_.states()[triangle].is_own[node]) {
-      const auto [found, is_new] = shared_.try_emplace({receiver, place}, fresh);
-      if (!is_new) return found->second;
-    }
-    mesh.points.push_back(refined_.mesh().points()[place]);
-    asked_[receiver].push_back(refined_.asked_at(triangle, node));
-    return fresh;
-  }
-
-  void add_face(std::uint32_t triangle, IlluminationMesh& mesh) {
-    const TriangleState& state = refined_.states()[triangle];
-    const HalvingTriangle& t = refined_.mesh().triangles()[triangle];
-    IlluminationFace face{{}, {}, state.error, state.is_met};
-    for (std::size_t k = 0; k < 3; ++k) face.corners[k] = point(triangle, k, mesh);
-    for (std::size_t k = 3; k < refined_.nodes(); ++k) face.middles[k - 3] = point(triangle, k, mesh);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const bool is_told = t.orders[k] < smooth && (t.beyond[k] == none || triangle < t.beyond[k]);
-      if (is_told) mesh.edges.push_back({{face.corners[k], face.corners[(k + 1) % 3]}, t.orders[k]});
-    }
-    mesh.faces.push_back(face);
-  }
-
-  const Refinement& refined_;
-  LightsTogether& lights_;
-  unsigned threads_;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> shared_;
-  std::map<std::uint32_t, std::vector<Point3>> asked_;  ///< of each receiver's points, where they were asked for
-};
 
 class Illuminating {
  public:
@@ -328,7 +258,7 @@ class Illuminating {
 
   void write(std::span<const std::uint32_t> group, const Refinement& refined) {
     faces_ += refined.states().size();
-    GroupMeshes(refined, lights_, effort_.threads).write(group, result_.meshes);
+    illumination::write_meshes(refined, lights_, effort_.threads, group, result_.meshes);
   }
 
   std::span<const IlluminationLight> sources_;
@@ -345,45 +275,6 @@ class Illuminating {
 };
 
 }  // namespace
-
-double IlluminationMesh::largest_error() const {
-  double largest = 0;
-  for (const IlluminationFace& face : faces) largest = std::max(largest, face.error);
-  return largest;
-}
-
-std::size_t IlluminationMesh::unmet_faces() const {
-  return static_cast<std::size_t>(std::ranges::count(faces, false, &IlluminationFace::is_met));
-}
-
-double IlluminationMesh::unmet_area() const {
-  double sum = 0;
-  for (const IlluminationFace& face : faces) sum += face.is_met ? 0 : illuminated_area(*this, face);
-  return sum;
-}
-
-double IlluminationMesh::area() const {
-  double sum = 0;
-  for (const IlluminationFace& face : faces) sum += illuminated_area(*this, face);
-  return sum;
-}
-
-double IlluminationMesh::flux() const {
-  double sum = 0;
-  for (const IlluminationFace& face : faces) {
-    // The mean of a quadratic function on a triangle is that of the middles of its edges.
-    const auto& [a, b, c] = order == 1 ? face.corners : face.middles;
-    sum +=
-        illuminated_area(*this, face) * (irradiance[a].value / 3 + irradiance[b].value / 3 + irradiance[c].value / 3);
-  }
-  return sum;
-}
-
-double IlluminationMesh::flux_error() const {
-  double sum = 0;
-  for (const IlluminationFace& face : faces) sum += illuminated_area(*this, face) * face.error;
-  return sum;
-}
 
 Illumination illuminate(std::span<const IlluminationLight> lights, const Obstacles& obstacles,
                         std::span<const ConvexPolygon> receivers, const IlluminationEffort& effort) {
