@@ -78,6 +78,7 @@ void read_gltf(ImportedModel& model, std::string_view text, const MeshSource& so
   model.soup = std::move(scene.soup);
   model.materials = std::move(scene.materials);
   model.lights = std::move(scene.lights);
+  model.camera = scene.camera;
 }
 
 using ModelReader = void (*)(ImportedModel&, std::string_view, const MeshSource&, const std::filesystem::path&);

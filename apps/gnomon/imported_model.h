@@ -30,6 +30,7 @@ struct ImportedModel {
   std::vector<std::optional<FileMaterial>> materials;  ///< of each of the soup's materials, where it is known
   std::vector<std::string> names;                      ///< of each facet, in files that name them
   std::vector<PunctualLight> lights;                   ///< that are no facets
+  std::optional<FileCamera> camera;
 
   /// What the program calls a material.
   const std::string& material_title(std::size_t material) const {

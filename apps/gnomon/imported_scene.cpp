@@ -60,6 +60,17 @@ Json material_json(const std::string& name, const FileMaterial& material) {
   return json;
 }
 
+Json camera_json(const FileCamera& camera) {
+  constexpr double height = 360;
+  const auto json = [](const Point3& p) { return Json{p.x, p.y, p.z}; };
+  return {{"eye", json(camera.eye)},
+          {"look_at", json(camera.look_at)},
+          {"up", json(camera.up)},
+          {"fov", camera.vertical_angle},
+          {"width", static_cast<int>(std::clamp(std::round(height * camera.aspect), 1.0, 16384.0))},
+          {"height", static_cast<int>(height)}};
+}
+
 /// One element a line.
 std::string scene_lines(const Json& document) {
   std::string text = "{ ";
@@ -90,6 +101,7 @@ class SceneWriter {
       if (!facets[m].empty()) add_facets(model, m, facets[m], mesh_file);
     }
     for (const PunctualLight& light : model.lights) add_light(light);
+    if (model.camera && !document_.contains("camera")) document_["camera"] = camera_json(*model.camera);
   }
 
   ImportedScene scene() {

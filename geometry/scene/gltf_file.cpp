@@ -158,7 +158,8 @@ GltfFile::GltfFile(std::string_view bytes, const std::string& source, const std:
   document_ = std::make_shared<const nlohmann::json>(parse_json(json, source));
   root().require_object("a glTF document");
   require_known_version(root());
-  for (const char* name : {"accessors", "buffers", "bufferViews", "materials", "meshes", "nodes", "scenes"}) {
+  for (const char* name :
+       {"accessors", "buffers", "bufferViews", "cameras", "materials", "meshes", "nodes", "scenes"}) {
     const auto found = root().optional(name);
     lists_[name] = found ? found->items("an array") : std::vector<JsonNode>();
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <utility>
 
 #include "geometry/scene/gltf_file.h"
@@ -220,7 +221,7 @@ class GltfReader {
       const Placement here = within(parent, placement_of(node));
       if (const auto mesh = node.optional("mesh")) add_mesh(file_.item(*mesh, "meshes"), here);
       if (const auto light = extension(node, "KHR_lights_punctual")) add_light(*light, here);
-      if (node.optional("camera")) count("cameras");
+      if (const auto camera = node.optional("camera")) add_camera(file_.item(*camera, "cameras"), here);
       if (node.optional("skin")) count("skins of nodes; their meshes stand as they are");
       std::vector<std::size_t> children = children_of(node);
       std::ranges::reverse(children);
@@ -295,6 +296,30 @@ class GltfReader {
     result.intensity = number_list<3>(light, "color", {1, 1, 1});
     for (double& channel : result.intensity) channel *= number_or(light, "intensity", 1);
     result_.lights.push_back(std::move(result));
+  }
+
+  /// Cameras look along -z of their node, with y up.
+  void add_camera(const JsonNode& camera, const Placement& here) {
+    const auto perspective = camera.optional("perspective");
+    const auto along = [&](const std::array<double, 3>& v) {
+      const auto [x, y, z] = here.turned(v);
+      return Point3{x, y, z};
+    };
+    const Point3 ahead = along({0, 0, -1}), up = along({0, 1, 0});
+    if (!perspective || result_.camera || ahead == Point3{} || up == Point3{}) {
+      return count("cameras but the first one in perspective");
+    }
+    FileCamera found;
+    const auto [x, y, z] = here.column[3];
+    found.eye = {x, y, z};
+    found.look_at = {x + ahead.x, y + ahead.y, z + ahead.z};
+    found.up = up;
+    const JsonNode angle = perspective->required("yfov", "an angle");
+    found.vertical_angle = angle.number("an angle") * 180 / std::numbers::pi;
+    if (!(found.vertical_angle > 0 && found.vertical_angle < 180)) angle.refuse_value("an angle between 0 and pi");
+    found.aspect = number_or(*perspective, "aspectRatio", 4.0 / 3);
+    if (!(found.aspect > 0)) perspective->refuse("an aspect ratio that is not above 0", "width over height");
+    result_.camera = found;
   }
 
   GltfFile file_;

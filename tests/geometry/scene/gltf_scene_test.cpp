@@ -170,6 +170,25 @@ TEST(GltfScene, PlacesPunctualLights) {
   EXPECT_THAT(scene.soup.doubts, ElementsAre(HasSubstr("spot lights (1)")));
 }
 
+TEST(GltfScene, LooksFromTheFirstCameraInPerspective) {
+  GltfModel model = one_triangle();
+  model.document["cameras"] = {{{"type", "orthographic"}, {"orthographic", json::object()}},
+                               {{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"aspectRatio", 2}}}}};
+  // A quarter turn about y: -z of the node is -x.
+  const double half = std::sqrt(0.5);
+  model.document["nodes"].push_back({{"camera", 0}});
+  model.document["nodes"].push_back({{"camera", 1}, {"translation", {5, 1, 2}}, {"rotation", {0, half, 0, half}}});
+  const GltfScene scene = scene_of(model.text());
+  ASSERT_TRUE(scene.camera);
+  EXPECT_EQ(scene.camera->eye, (Point3{5, 1, 2}));
+  EXPECT_NEAR(scene.camera->look_at.x, 4, 1e-15);
+  EXPECT_NEAR(scene.camera->look_at.z, 2, 1e-15);
+  EXPECT_EQ(scene.camera->up, (Point3{0, 1, 0}));
+  EXPECT_NEAR(scene.camera->vertical_angle, 57.29577951308232, 1e-12);
+  EXPECT_EQ(scene.camera->aspect, 2);
+  EXPECT_THAT(scene.soup.doubts, ElementsAre(HasSubstr("cameras but the first one in perspective (1)")));
+}
+
 TEST(GltfScene, NamesWhatIsWrong) {
   struct Wrong {
     const char* pointer;
