@@ -1,7 +1,8 @@
-"""Does what a page tells its reader to do: run_page.py PAGE.md [EXAMPLES]
+"""Does what a page tells its reader to do: run_page.py PAGE.md [EXAMPLES [PATTERN]]
 
 In an empty folder, in the page's order: a code block that follows a line "`FILE`:" is saved as FILE, and a block of the
 language `sh` is run by a shell that stops at the first command that fails. EXAMPLES and the folder of the page are linked there as `examples` and `docs`.
+With a PATTERN only those lines of `sh` blocks are run that begin with a match of that regular expression.
 """
 
 import os
@@ -26,7 +27,7 @@ def run(folder, text):
         sys.exit(f"run_page.py: this failed:\n{text}")
 
 
-def main(page, examples=None):
+def main(page, examples=None, pattern=""):
     with open(page, encoding="utf-8") as file:
         blocks = list(BLOCK.finditer(file.read()))
     ran = 0
@@ -38,8 +39,11 @@ def main(page, examples=None):
             if block["file"]:
                 save(folder, block["file"], block["text"])
             elif block["language"] == "sh":
-                run(folder, block["text"])
-                ran += 1
+                lines = block["text"].splitlines(keepends=True)
+                text = "".join(line for line in lines if re.match(pattern, line))
+                if text:
+                    run(folder, text)
+                    ran += 1
     if ran == 0:
         sys.exit(f"run_page.py: {page} has no commands")
 
