@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "geometry/discontinuity/receiver_mesh_data.h"
+#include "shading/illumination/vertex_places.h"
 
 namespace gnomon::illumination {
 namespace {
@@ -27,16 +27,16 @@ std::uint8_t order_of(const ReceiverMesh& mesh, const MeshEdge& edge) {
 ReceiverTraces traces_of(const ReceiverMesh& mesh) {
   ReceiverTraces found;
   const MeshDrawing drawing = mesh.drawing();
-  const auto place = [&](std::uint32_t v) { return mesh.data().plane.spatial(mesh.data().point(v)); };
+  const VertexPlaces places(mesh);
   for (std::size_t e = 0; e < mesh.edges().size(); ++e) {
     const MeshEdge& edge = mesh.edges()[e];
     const std::uint8_t order = order_of(mesh, edge);
     if (order == smooth) continue;
     // Chords end in the vertices themselves, or slivers as thin as rounding would part them from what ends there.
     const std::vector<std::uint32_t>& line = drawing.lines[e];
-    ExactVector from = place(edge.source);
+    ExactVector from = places.at(edge.source);
     for (std::size_t k = 1; k < line.size(); ++k) {
-      const ExactVector to = k + 1 < line.size() ? exact(drawing.points[line[k]]) : place(edge.target);
+      const ExactVector to = k + 1 < line.size() ? exact(drawing.points[line[k]]) : places.at(edge.target);
       found.traces.push_back({from, to, order});
       from = to;
     }

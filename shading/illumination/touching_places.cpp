@@ -3,11 +3,11 @@
 #include <map>
 #include <set>
 
-#include "geometry/discontinuity/receiver_mesh_data.h"
 #include "geometry/numbers/orientation.h"
 #include "geometry/numbers/rounding.h"
 #include "shading/illumination/outlines.h"
 #include "shading/illumination/receiver_traces.h"
+#include "shading/illumination/vertex_places.h"
 
 namespace gnomon::illumination {
 namespace {
@@ -57,19 +57,19 @@ std::vector<ExactVector> touching_places(std::span<const Body> bodies, const Con
 }
 
 std::vector<Point3> corners_of_jumps(const ReceiverMesh& mesh) {
-  const auto place = [&](std::uint32_t v) { return mesh.data().plane.spatial(mesh.data().point(v)); };
+  const VertexPlaces places(mesh);
   std::map<std::uint32_t, ExactVector> along;  // of a vertex, the first such line that ends there
   std::set<std::uint32_t> corners;
   for (const MeshEdge& edge : mesh.edges()) {
     if (order_of(mesh, edge) != 0) continue;
-    const ExactVector way = place(edge.target) - place(edge.source);
+    const ExactVector way = places.at(edge.target) - places.at(edge.source);
     for (const std::uint32_t v : {edge.source, edge.target}) {
       const auto [first, is_new] = along.try_emplace(v, way);
       if (!is_new && !is_zero(cross(first->second, way))) corners.insert(v);
     }
   }
   std::vector<Point3> found;
-  for (const std::uint32_t v : corners) found.push_back(nearest_point(place(v)));
+  for (const std::uint32_t v : corners) found.push_back(nearest_point(places.at(v)));
   return found;
 }
 

@@ -358,6 +358,33 @@ TEST(IlluminationDegenerate, HasNoFaceWithoutAreaWhereArcsEnd) {
   }
 }
 
+/// An arc of one lamp ends on a trace of both, at a place that is not rational.
+TEST(IlluminationDegenerate, HasNoFaceWithoutAreaWhereAnArcEndsOnATraceOfSeveralLights) {
+  const IlluminationLight lamps[] = {
+      {{AreaLight{polygon({{-0.53125, 0.453125, 4.890625},
+                           {-0.53125, 1.609375, 4.890625},
+                           {-0.15625, 1.609375, 5.236328125},
+                           {-0.15625, 0.453125, 5.236328125}})}},
+       1},
+      {{AreaLight{polygon({{-4, -1, 1.875}, {-4, 1, 1.875}, {-4, 1, 3.875}, {-4, -1, 3.875}})}}, 1}};
+  const auto board = [](const Point3& a, const Point3& b, double top) {
+    return polygon({a, b, {b.x, b.y, top}, {a.x, a.y, top}});
+  };
+  const Obstacles boards{{board({0.859375, -0.59375, 0}, {1.53125, -1.359375, 0}, 0.65625),
+                          board({0.265625, -0.4375, 0}, {0, -0.46875, 0}, 1.5),
+                          board({2.5, -0.71875, 0}, {1.84375, -1.28125, 0}, 0.328125)},
+                         {}};
+  const Illumination found = illuminate(lamps, boards, {&ground, 1}, {.tolerance = 0.05, .most_faces = 4000});
+  const IlluminationMesh& mesh = found.meshes.front();
+  EXPECT_EQ(mesh.unmet_faces(), 0U);
+  for (const IlluminationFace& face : mesh.faces) {
+    IlluminationMesh alone;
+    alone.points = mesh.points;
+    alone.faces = {face};
+    EXPECT_GT(alone.area(), 1e-10);
+  }
+}
+
 /// Turned by angles that leave no coordinate short.
 std::vector<Point3> turned(std::vector<Point3> points, double by) {
   const double c = std::cos(by), s = std::sin(by), d = std::cos(3 * by), e = std::sin(3 * by);
