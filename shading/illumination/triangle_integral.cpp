@@ -176,6 +176,8 @@ TriangleIntegral::Result TriangleIntegral::integral(const Triangle& t, double to
       const double change = std::fabs(next.value - last.value), scale = std::fabs(next.value) + change;
       next.off =
           k == 1 ? change : 16 * std::max(error_after(k, k - 2, step, scale), error_after(k, k - 1, change, scale));
+      // Where the last change is not what a power q^n would leave, the change itself is all that is known.
+      if (k > 1 && change > error_after(k - 1, k - 2, step, scale)) next.off = std::max(next.off, 8 * change);
       if (next.off <= tolerance) next.off = std::max(next.off, missed_by(t, rules()[k], next.value));
       step = change;
     }

@@ -308,6 +308,29 @@ TEST(ViewFactors, AreReciprocalUpToTheirEstimatesWhereSurfacesTouch) {
   EXPECT_GT(estimates, 10U);
 }
 
+/// Two rules of Gauss agree by chance on a part of the floor that both miss.
+TEST(ViewFactors, BehindTwoBoxesOnEachOtherAreReciprocalUpToTheirEstimates) {
+  const ViewSurface floor = {rectangle_at(0, 0, 4, 4, 0, factors::Facing::up)};
+  const ViewSurface wall = {parallelogram({0, 4, 0}, {4, 4, 0}, {0, 4, 4})};
+  const auto box = [](const Point3& low, const Point3& high) {
+    std::vector<Point3> points;
+    for (int c = 0; c < 8; ++c) {
+      points.push_back({c & 1 ? high.x : low.x, c & 2 ? high.y : low.y, c & 4 ? high.z : low.z});
+    }
+    return ConvexSolid::hull_of(std::move(points));
+  };
+  ViewFactorEffort effort;
+  effort.twice = true;
+  effort.bound = 1e-7;
+  const ViewFactors found = view_factors(
+      std::vector{floor, wall},
+      {{box({1.25, 0.875, 0.875}, {2.375, 2.375, 2.375}), box({1, 0.75, 0}, {2.125, 2.125, 0.875})}, {}}, effort);
+  const ViewFactor there = factor(found, 0, 1), back = factor(found, 1, 0);
+  EXPECT_GT(there.value, 0.17);
+  EXPECT_LE(std::fabs(there.value - back.value), there.error_bound + back.error_bound);
+  EXPECT_LT(there.error_bound + back.error_bound, 1e-7);
+}
+
 TEST(ViewFactors, KnowWhereAnEdgeOfOneSurfacePiercesTheOtherBesideABlocker) {
   const ViewSurface floor = {rectangle_at(0, 0, 4, 4, 0, factors::Facing::up)};
   const ViewSurface board = {ConvexPolygon::from_points({{1.890625, 1.703125, -0.484375},
